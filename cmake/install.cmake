@@ -1,0 +1,13 @@
+# Installs the library, the headers, the program and what find_package(sailmap) needs.
+include(CMakePackageConfigHelpers)
+install(TARGETS sailmap_hls sailmap_ref sailmap EXPORT sailmap-targets)
+install(TARGETS sailmap_program)
+foreach(part hls ref host)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${part}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endforeach()
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sailmap)
+install(EXPORT sailmap-targets NAMESPACE sailmap:: DESTINATION ${package_dir})
+configure_package_config_file(cmake/sailmap-config.cmake.in sailmap-config.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(sailmap-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/sailmap-config.cmake ${PROJECT_BINARY_DIR}/sailmap-config-version.cmake
+        DESTINATION ${package_dir})

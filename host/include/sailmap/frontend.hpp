@@ -1,0 +1,30 @@
+// The one interface between the image and everything after it (design: four realisations, one algorithm).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sailmap/maps.hpp"
+#include "sailmap/ref/plane.hpp"
+
+namespace sailmap {
+
+class Frontend {
+ public:
+  virtual ~Frontend() = default;
+  // "reference", ...: as given to make_frontend.
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  // Fills `maps`, reusing its memory. Throws Error when a side is outside 64..4096 pixels. Not safe to call from two
+  // threads at once on one object: give each thread its own.
+  virtual void compute(const ImageView& image, Maps& maps) = 0;
+};
+
+// The names make_frontend takes, the default first.
+std::vector<std::string> frontend_names();
+
+// Throws Error when there is no front end of that name.
+std::unique_ptr<Frontend> make_frontend(std::string_view name);
+
+}  // namespace sailmap

@@ -1,0 +1,95 @@
+// The topological map: nodes are places, edges say how the robot went or came back (spec 11).
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sailmap/detection.hpp"
+#include "sailmap/signature.hpp"
+#include "sailmap/similarity.hpp"
+
+namespace sailmap {
+
+enum class EdgeKind {
+  path,  // the robot went from one place to the next
+  loop   // a loop closure joined two places
+};
+
+std::string_view name(EdgeKind kind);
+EdgeKind edge_kind_from_name(std::string_view name);  // throws Error
+
+struct MapConfig {
+  RegionConfig regions;
+  MatchConfig match;
+  DetectionConfig detection;
+  // The nodes made by so many newest images are not compared: they are neighbours in time, not loops.
+  int exclude_recent = 20;
+  // Strict paper mode is false: a loop closure then only moves the active node.
+  bool loop_edges = true;
+  // Sparse map: an image similar to the active node joins it instead of making a node of its own, and one that closes
+  // a loop joins the node it closes with. Dense (the paper): a node is one image.
+  bool sparse = false;
+  double sparse_threshold = 20;  // similarity above which an image belongs to the active node
+};
+
+// One image that stands for a node.
+struct View {
+  int image = 0;     // number of the image in the map, from 0
+  std::string name;  // path or name the source gave it
+  Signature signature;
+};
+
+struct Node {
+  int id = 0;
+  std::vector<View> views;  // one in a dense map; the first made the node
+};
+
+struct Edge {
+  int from = 0;
+  int to = 0;
+  EdgeKind kind = EdgeKind::path;
+  bool operator==(const Edge&) const = default;
+};
+
+// What one image did to the map.
+struct Update {
+  int image = 0;
+  std::string name;
+  int node = 0;          // active node afterwards
+  bool new_node = false;
+  Detection detection;
+};
+
+class TopologicalMap {
+ public:
+  explicit TopologicalMap(MapConfig config = {}) : config_(config) {}
+  // A map as it was stored. Throws Error when the parts contradict each other.
+  TopologicalMap(MapConfig config, std::vector<Node> nodes, std::vector<Edge> edges,
+                 std::vector<Update> history, int active);
+
+  // Compares the image with all admissible nodes and updates the map. Throws Error when the image's size is not that
+  // of the map's images; the map is then unchanged.
+  const Update& add(std::string name, Signature signature);
+
+  [[nodiscard]] const MapConfig& config() const { return config_; }
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+  [[nodiscard]] const std::vector<Update>& history() const { return history_; }  // one per image
+  [[nodiscard]] int images() const { return static_cast<int>(history_.size()); }
+  [[nodiscard]] int active() const { return active_; }  // -1 when empty
+  [[nodiscard]] int loops() const;                      // accepted detections
+
+ private:
+  [[nodiscard]] std::vector<Candidate> compare(const Signature& signature, int image) const;
+  [[nodiscard]] bool belongs_to_active(const Signature& signature) const;
+  void add_edge(int from, int to, EdgeKind kind);
+
+  MapConfig config_;
+  std::vector<Node> nodes_;
+  std::vector<Edge> edges_;
+  std::vector<Update> history_;
+  int active_ = -1;
+};
+
+}  // namespace sailmap

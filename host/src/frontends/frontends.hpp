@@ -1,0 +1,15 @@
+// The realisations behind make_frontend.
+#pragma once
+
+#include <memory>
+
+#include "sailmap/frontend.hpp"
+
+namespace sailmap {
+
+std::unique_ptr<Frontend> make_reference();
+
+// Throws Error when a side is outside 64..4096 pixels (spec section 1).
+void check_image_size(const ImageView& image);
+
+}  // namespace sailmap

@@ -1,0 +1,42 @@
+#include "sailmap/maps.hpp"
+
+namespace sailmap {
+
+int Map::width() const {
+  return std::visit([](const auto& plane) { return plane.width(); }, samples);
+}
+
+int Map::height() const {
+  return std::visit([](const auto& plane) { return plane.height(); }, samples);
+}
+
+double Map::at(int x, int y) const {
+  return lsb * std::visit([x, y](const auto& plane) { return static_cast<double>(plane(x, y)); }, samples);
+}
+
+double Map::mean(const Box& box) const {
+  const double sum = std::visit(
+      [&box](const auto& plane) {
+        double total = 0;
+        for (int y = box.y0; y < box.y1; ++y) {
+          for (int x = box.x0; x < box.x1; ++x) total += static_cast<double>(plane(x, y));
+        }
+        return total;
+      },
+      samples);
+  return lsb * sum / box.area();
+}
+
+Plane<double> Map::values() const {
+  Plane<double> out(width(), height());
+  std::visit(
+      [this, &out](const auto& plane) {
+        const auto in = plane.samples();
+        const auto to = out.samples();
+        for (std::size_t i = 0; i < in.size(); ++i) to[i] = lsb * static_cast<double>(in[i]);
+      },
+      samples);
+  return out;
+}
+
+}  // namespace sailmap
