@@ -28,7 +28,7 @@ struct Options {
 std::string explain(const Detection& detection, const MatchResult& result, const Options& options,
                     const Signature& a, const Signature& b) {
   const DetectionConfig& d = options.config.detection;
-  const std::string facts = fmt::format("similarity {:.2f} ({}), {} of {} and {} regions matched",
+  const std::string facts = fmt::format("similarity {:.3f} ({}), {} of {} and {} regions matched",
                                         result.similarity, name(options.config.match.method),
                                         result.matches.size(), a.regions.size(), b.regions.size());
   switch (detection.reason) {

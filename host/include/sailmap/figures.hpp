@@ -10,25 +10,32 @@
 #include "sailmap/ground_truth.hpp"
 #include "sailmap/maps.hpp"
 #include "sailmap/signature.hpp"
+#include "sailmap/topological_map.hpp"
 
 namespace sailmap {
 
-// As the paper's Fig. 2: the image with its regions, the ten feature maps, three conspicuity maps and the saliency
-// map, labelled, as one picture (8-bit BGR). `box_side` in base-level pixels.
+// As the paper's Fig. 2: the image with its regions, the ten feature maps, three conspicuity maps and the
+// saliency map, labelled, as one picture (8-bit BGR). `box_side` in base-level pixels.
 cv::Mat saliency_figure(const cv::Mat& image, const Maps& maps, const Signature& signature, int box_side,
                         const std::string& title);
 
-// As Fig. 5 and 6: the images side by side, all regions drawn, matched ones joined, the verdict in words beneath.
+// As Fig. 5 and 6: the images side by side, all regions drawn, matched ones joined, the verdict in words
+// beneath.
 cv::Mat match_figure(const cv::Mat& query, const cv::Mat& candidate, const Signature& query_signature,
                      const Signature& candidate_signature, const MatchResult& match, int box_side,
                      const std::string& verdict);
 
-// PNG, JPEG or whatever the extension says; replaced whole or not at all. Throws Error when it cannot be written.
+// PNG, JPEG or whatever the extension says; replaced whole or not at all. Throws Error when it cannot be
+// written.
 void write_image(const std::filesystem::path& path, const cv::Mat& image);
 
-// SVG: precision-recall curve with the fixed threshold marked, and the similarity matrix with the ground truth
-// outlined or marked. Throws Error when it cannot be written or gnuplot is missing.
+// SVG: precision-recall curve with the fixed threshold marked, and the similarity matrix with the ground
+// truth outlined or marked. Throws Error when it cannot be written or gnuplot is missing.
 void write_evaluation_plot(const std::filesystem::path& path, const Evaluation& evaluation,
                            const Plane<float>& scores, const GroundTruth& truth, const std::string& title);
+
+// SVG: the map as a graph laid out by graphviz, path edges grey, loop edges by similarity (orange to dark
+// red), nodes with their number and, as a tooltip, their image. Throws Error when it cannot be written.
+void write_map_plot(const std::filesystem::path& path, const TopologicalMap& map, const std::string& title);
 
 }  // namespace sailmap
