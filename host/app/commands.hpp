@@ -17,6 +17,7 @@ void add_detect(CLI::App& app);
 void add_match(CLI::App& app);
 void add_run(CLI::App& app);
 void add_eval(CLI::App& app);
+void add_compare(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_map(CLI::App& app);
 

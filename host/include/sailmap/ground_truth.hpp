@@ -20,9 +20,8 @@ enum class Side { left, right };
 GroundTruth read_text_ground_truth(const std::filesystem::path& path, int queries, int candidates);
 
 // MATLAB .mat: the one two-dimensional numeric or logical matrix of the file (FAB-MAP's loop matrices), dense or
-// sparse; non-zero at (query, candidate) means the same place. Throws Error when there is none, or several, or the
-// matrix is smaller or larger than queries x candidates. The FAB-MAP matrices hold earlier candidates only; entries on
-// the diagonal are ignored when queries == candidates.
+// sparse, in the format of MATLAB 5 to 7.2; non-zero at (query, candidate) means the same place. Throws Error when there is
+// none, or several, when the matrix is not queries x candidates or holds NaN, and when the file is cut short or damaged.
 GroundTruth read_mat_ground_truth(const std::filesystem::path& path, int queries, int candidates);
 
 // Position of each image, metres in a local plane (or the data set's own unit).

@@ -1,4 +1,5 @@
-// Small drawing helpers that the figures share. Canvases are 8-bit BGR; lengths and places are pixels of the canvas.
+// Small drawing helpers that the figures share. Canvases are 8-bit BGR; lengths and places are pixels of the
+// canvas.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -18,6 +19,9 @@ inline const cv::Scalar faint_ink(110, 110, 110);
 
 // File of the system's sans serif font, by fontconfig; empty when there is none.
 std::string font_file();
+
+// Valid UTF-8 on one line: what is not is left out, control characters become spaces.
+std::string printable(const std::string& text);
 
 // Draws lines of text in one font. Sizes are the em height in pixels.
 class Text {
@@ -43,7 +47,8 @@ class Text {
 // The largest size of the shape of `image` within `bounds`, at least 1x1.
 cv::Size fit(const cv::Size& image, const cv::Size& bounds);
 
-// 8-bit images of 1, 3 or 4 channels as BGR. Throws Error, beginning with `what`, for any other or an empty one.
+// 8-bit images of 1, 3 or 4 channels as BGR. Throws Error, beginning with `what`, for any other or an empty
+// one.
 cv::Mat to_bgr(const cv::Mat& image, const std::string& what);
 
 // `image` scaled to fill `place` exactly: linear when enlarged, averaged when reduced.
@@ -58,7 +63,8 @@ cv::Rect image_box(const Region& region, const Signature& signature, int box_sid
 // The region's box where the image was pasted at `place`; at least one pixel wide and high.
 cv::Rect placed_box(const Region& region, const Signature& signature, int box_side, const cv::Rect& place);
 
-// A frame of `thickness` just inside `box`, with a dark rim of one pixel, so that it shows on bright and dark ground.
+// A frame of `thickness` just inside `box`, with a dark rim of one pixel, so that it shows on bright and dark
+// ground.
 void draw_box(cv::Mat& canvas, const cv::Rect& box, const cv::Scalar& colour, int thickness);
 
 // Bright colours far apart: neighbours in `k` differ strongly.

@@ -2,135 +2,157 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "drawing.hpp"
+#include "sailmap/error.hpp"
 #include "sailmap/figures.hpp"
+#include "sailmap/ref/normalise.hpp"
+#include "sailmap/ref/policy.hpp"
+#include "saliency_layout.hpp"
 
 namespace sailmap {
 namespace {
 
-constexpr int margin = 24;
-constexpr int gap = 14;
-constexpr int caption = 20;  // room under a panel
-constexpr int heading = 34;  // room above a row
-constexpr double caption_height = 9;
-constexpr double heading_height = 13;
-const cv::Scalar region_colour(0, 220, 255);
-
-// Widths of a panel in each row, and their heights by the image's shape. Four maps stand in a row, two big
-// panels above them.
-struct Layout {
-  int small_width = 380;
-  int small_height = 0;
-  int big_width = 0;
-  int big_height = 0;
-
-  explicit Layout(const cv::Size& image) {
-    // Very wide and very tall images are held to a shape that a page can show.
-    const double shape = std::clamp(static_cast<double>(image.height) / image.width, 0.2, 2.0);
-    big_width = 2 * small_width + gap;
-    small_height = cvRound(small_width * shape);
-    big_height = cvRound(big_width * shape);
-  }
-  [[nodiscard]] int width() const { return 2 * margin + 4 * small_width + 3 * gap; }
-  [[nodiscard]] int small_row() const { return small_height + caption; }
-  [[nodiscard]] int height() const {
-    return 2 * margin + heading + big_height + caption + 4 * (heading + small_row());
-  }
-};
+using L = SaliencyLayout;
+const cv::Scalar region_colour(0, 230, 255);
+const cv::Scalar frame_colour(190, 190, 190);
 
 class Figure {
  public:
-  explicit Figure(const Layout& layout)
-      : layout_(layout), canvas_(layout.height(), layout.width(), CV_8UC3, white) {}
+  Figure(const drawing::Text& text, const SaliencyLayout& layout)
+      : text_(text), canvas_(layout.canvas, CV_8UC3, drawing::white) {}
 
-  void head(const std::string& text) {
-    draw_text(canvas_, text, {margin, y_ + heading - 11}, heading_height, ink, Anchor::left,
-              layout_.width() - 2 * margin);
-    y_ += heading;
+  void title(const std::vector<std::string>& lines) {
+    int y = L::margin + L::title_size;
+    for (const std::string& line : lines) {
+      text_.draw(canvas_, line, {L::margin, y}, L::title_size, drawing::ink);
+      y += L::title_line;
+    }
   }
 
-  cv::Rect big(int column, const cv::Mat& image, const std::string& text) {
-    return panel({margin + column * (layout_.big_width + gap), y_, layout_.big_width, layout_.big_height},
-                 image, text);
+  void heading(const Heading& heading) {
+    text_.draw(canvas_, heading.text, heading.baseline, L::heading_size, drawing::ink);
+    const cv::Point rule = heading.baseline + cv::Point(0, 9);
+    cv::line(canvas_, rule, rule + cv::Point(heading.width - 1, 0), frame_colour, 1);
   }
-  cv::Rect small(int column, const cv::Mat& image, const std::string& text) {
-    return panel(
-        {margin + column * (layout_.small_width + gap), y_, layout_.small_width, layout_.small_height}, image,
-        text);
-  }
-  void big_row_done() { y_ += layout_.big_height + caption; }
-  void small_row_done() { y_ += layout_.small_row(); }
 
-  cv::Mat& canvas() { return canvas_; }
+  // `image` at `place`, beneath it the caption centred in `room` pixels.
+  void panel(const cv::Mat& image, const cv::Rect& place, const std::string& caption, int room) {
+    drawing::paste(canvas_, image, place);
+    const cv::Rect rim(place.x - 1, place.y - 1, place.width + 2, place.height + 2);
+    cv::rectangle(canvas_, rim, frame_colour, 1);
+    const int width = std::min(room, text_.width(caption, L::caption_size));
+    text_.draw_within(canvas_, caption,
+                      {place.x + (place.width - width) / 2, place.br().y + L::caption_room - 8},
+                      L::caption_size, drawing::ink, room);
+  }
+
+  // Boxes numbered by rank; the most salient last, so that they lie on top.
+  void regions(const cv::Rect& place, const Signature& signature, int box_side) {
+    cv::Mat panel = canvas_(place);
+    std::vector<cv::Rect> boxes;
+    for (const Region& region : signature.regions) {
+      boxes.push_back(drawing::placed_box(region, signature, box_side, {{0, 0}, place.size()}));
+    }
+    for (std::size_t k = boxes.size(); k-- > 0;) drawing::draw_box(panel, boxes[k], region_colour, 2);
+    ranks(panel, boxes);
+  }
+
+  [[nodiscard]] cv::Mat picture() const { return canvas_; }
 
  private:
-  cv::Rect panel(const cv::Rect& place, const cv::Mat& image, const std::string& text) {
-    paste(canvas_, image, place);
-    draw_text(canvas_, text, {place.x, place.y + place.height + caption - 6}, caption_height, faint_ink,
-              Anchor::left, place.width);
-    return place;
+  // A tag in one corner of each box, where it covers no tag of a more salient region if there is such a
+  // corner. Boxes too small for a tag have none.
+  void ranks(cv::Mat& panel, const std::vector<cv::Rect>& boxes) {
+    constexpr int size = 13;
+    std::vector<cv::Rect> tags;
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      const cv::Rect& box = boxes[k];
+      const std::string number = std::to_string(k + 1);
+      const cv::Size tag(text_.width(number, size) + 6, size + 3);
+      if (4 * tag.width > 3 * box.width || 4 * tag.height > 3 * box.height) continue;
+      const cv::Rect place = least_covering(corners(box, tag), tags);
+      tags.push_back(place);
+      cv::rectangle(panel, place, region_colour, cv::FILLED);
+      text_.draw(panel, number, {place.x + 2, place.br().y - 3}, size, drawing::black);
+    }
   }
 
-  Layout layout_;
+  static std::array<cv::Rect, 4> corners(const cv::Rect& box, const cv::Size& tag) {
+    const cv::Point far = box.br() - cv::Point(tag.width, tag.height);
+    return {cv::Rect(box.tl(), tag), cv::Rect({far.x, box.y}, tag), cv::Rect({box.x, far.y}, tag),
+            cv::Rect(far, tag)};
+  }
+
+  static cv::Rect least_covering(const std::array<cv::Rect, 4>& places, const std::vector<cv::Rect>& tags) {
+    const auto covered = [&tags](const cv::Rect& place) {
+      int area = 0;
+      for (const cv::Rect& tag : tags) area += (place & tag).area();
+      return area;
+    };
+    return *std::ranges::min_element(places, {}, covered);
+  }
+
+  const drawing::Text& text_;
   cv::Mat canvas_;
-  int y_ = margin;
 };
 
-// Boxes with their rank, the most salient last so that it lies on top.
-void draw_regions(cv::Mat& canvas, const cv::Rect& place, const Signature& signature, int box_side) {
-  for (std::size_t k = signature.regions.size(); k-- > 0;) {
-    const Region& region = signature.regions[k];
-    const cv::Size size(signature.width, signature.height);
-    const cv::Rect box = placed(image_box(region, signature, box_side), size, place);
-    draw_box(canvas, box, region_colour, k == 0 ? 3 : 1);
-    const std::string rank = std::to_string(k + 1);
-    const cv::Point at(box.x + 5, box.y + 15);
-    draw_text(canvas, rank, at + cv::Point(1, 1), caption_height, {0, 0, 0});
-    draw_text(canvas, rank, at, caption_height, region_colour);
-  }
+MapStatistics statistics(const Map& map) { return ref::statistics(map.values(), ref::Exact::tie); }
+
+std::string caption(std::string_view name, const MapStatistics& s) {
+  return fmt::format("{}: max {:.3g}, m = {}", name, s.maximum, s.maxima);
 }
 
-std::string feature_caption(const Maps& maps, std::size_t i) {
-  const MapStatistics& s = maps.feature_statistics[i];
-  return fmt::format("{}   max {:.3g}, m = {}", feature_names[i], s.maximum, s.maxima);
-}
-
-void feature_row(Figure& figure, const Maps& maps, std::size_t first, std::size_t count) {
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = first + k;
-    figure.small(static_cast<int>(k), shade(maps.features[i]), feature_caption(maps, i));
+void check(const cv::Mat& image, const Maps& maps, const Signature& signature, int box_side) {
+  const auto same = [&image](int width, int height) { return image.cols == width && image.rows == height; };
+  if (!same(maps.image_width, maps.image_height) || !same(signature.width, signature.height)) {
+    throw Error(fmt::format(
+        "saliency figure: the image is {}x{} pixels, but its maps are of {}x{} and its signature "
+        "is of {}x{}",
+        image.cols, image.rows, maps.image_width, maps.image_height, signature.width, signature.height));
   }
+  if (box_side < 1) throw Error(fmt::format("saliency figure: box side {} is below 1", box_side));
 }
 
 }  // namespace
 
 cv::Mat saliency_figure(const cv::Mat& image, const Maps& maps, const Signature& signature, int box_side,
                         const std::string& title) {
-  using namespace hls::geometry;
-  Figure figure{Layout(image.size())};
-  figure.head(title);
-  const cv::Rect left = figure.big(0, image, fmt::format("image, {}x{}", image.cols, image.rows));
-  const cv::Rect right =
-      figure.big(1, shade(maps.saliency),
-                 fmt::format("saliency S, {} regions by falling saliency", signature.regions.size()));
-  for (const cv::Rect& place : {left, right}) draw_regions(figure.canvas(), place, signature, box_side);
-  figure.big_row_done();
-  figure.head("Conspicuity: sums of the normalised maps of one kind");
-  for (std::size_t k = 0; k < conspicuity_count; ++k) {
-    figure.small(static_cast<int>(k), shade(maps.conspicuities[k]), std::string(conspicuity_names[k]));
+  const cv::Mat bgr = drawing::to_bgr(image, "saliency figure");
+  check(bgr, maps, signature, box_side);
+  const drawing::Text text;
+  const int room = lay_out_saliency(bgr.size(), 0).canvas.width - 2 * L::margin;
+  const std::vector<std::string> title_lines = text.wrapped(title, L::title_size, room);
+  const SaliencyLayout layout = lay_out_saliency(bgr.size(), static_cast<int>(title_lines.size()));
+
+  Figure figure(text, layout);
+  figure.title(title_lines);
+  const std::size_t count = signature.regions.size();
+  figure.panel(bgr, layout.image,
+               fmt::format("image, {} x {}, and its {} salient region{} by rank", bgr.cols, bgr.rows, count,
+                           count == 1 ? "" : "s"),
+               layout.big_room);
+  figure.panel(drawing::shade(maps.saliency), layout.saliency,
+               fmt::format("saliency: max {:.3g}; the box of each region", statistics(maps.saliency).maximum),
+               layout.big_room);
+  for (const cv::Rect& place : {layout.image, layout.saliency}) figure.regions(place, signature, box_side);
+
+  for (const Heading& heading : layout.feature_headings) figure.heading(heading);
+  for (std::size_t i = 0; i < feature_count; ++i) {
+    figure.panel(drawing::shade(maps.features[i]), layout.features[i],
+                 caption(feature_names[i], maps.feature_statistics[i]), layout.feature_rooms[i]);
   }
-  figure.small_row_done();
-  figure.head("Intensity");
-  feature_row(figure, maps, 0, intensity_maps);
-  figure.small_row_done();
-  figure.head("Colour");
-  feature_row(figure, maps, intensity_maps, colour_maps);
-  figure.small_row_done();
-  figure.head("Orientation");
-  feature_row(figure, maps, intensity_maps + colour_maps, orientation_maps);
-  return figure.canvas();
+  figure.heading(layout.conspicuity_heading);
+  for (std::size_t k = 0; k < conspicuity_count; ++k) {
+    constexpr std::array<std::string_view, conspicuity_count> kinds = {"intensity", "colour", "orientation"};
+    figure.panel(drawing::shade(maps.conspicuities[k]), layout.conspicuities[k],
+                 caption(kinds[k], statistics(maps.conspicuities[k])), layout.conspicuity_rooms[k]);
+  }
+  return figure.picture();
 }
 
 }  // namespace sailmap

@@ -1,6 +1,7 @@
 // Text by FreeType, in the font that fontconfig chooses.
 #include <fontconfig/fontconfig.h>
 
+#include <boost/locale/encoding_utf.hpp>
 #include <memory>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
@@ -17,18 +18,6 @@ double stroke_scale(int size) { return size / stroke_font_em; }
 int stroke_thickness(int size) { return size >= 22 ? 2 : 1; }
 
 bool starts_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
-
-bool is_text(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return byte >= 0x20 && byte != 0x7F;
-}
-
-// Control characters have no shape.
-std::string printable(const std::string& text) {
-  std::string out;
-  for (const char c : text) out += is_text(c) ? c : ' ';
-  return out;
-}
 
 // The stroke font would draw several question marks for one letter of UTF-8.
 std::string ascii(const std::string& text) {
@@ -51,6 +40,15 @@ std::size_t next_letter(const std::string& text, std::size_t at) {
 }
 
 }  // namespace
+
+std::string printable(const std::string& text) {
+  std::string out = boost::locale::conv::utf_to_utf<char>(text, boost::locale::conv::skip);
+  for (char& c : out) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) c = ' ';
+  }
+  return out;
+}
 
 std::string font_file() {
   const std::unique_ptr<FcPattern, void (*)(FcPattern*)> wanted(

@@ -14,23 +14,34 @@ struct Contrast {
   Plane<double> off;  // max(0, surround - centre): dark on bright
 };
 
-// Mean of the (2r+1)x(2r+1) window around (x, y) without its centre, edges replicated.
-inline double surround_mean(const Plane<double>& in, int x, int y, int radius) {
-  double sum = 0;
-  for (int dy = -radius; dy <= radius; ++dy) {
-    for (int dx = -radius; dx <= radius; ++dx) sum += in.clamped(x + dx, y + dy);
+// Sum over the (2r+1)x(2r+1) window around each pixel, edges replicated: along the rows, then down the
+// columns.
+inline Plane<double> window_sums(const Plane<double>& in, int radius) {
+  Plane<double> rows(in.width(), in.height());
+  for (int y = 0; y < in.height(); ++y) {
+    for (int x = 0; x < in.width(); ++x) {
+      for (int dx = -radius; dx <= radius; ++dx) rows(x, y) += in.clamped(x + dx, y);
+    }
   }
-  const int side = 2 * radius + 1;
-  return (sum - in(x, y)) / (side * side - 1);
+  Plane<double> sums(in.width(), in.height());
+  for (int y = 0; y < in.height(); ++y) {
+    for (int dy = -radius; dy <= radius; ++dy) {
+      for (int x = 0; x < in.width(); ++x) sums(x, y) += rows.clamped(x, y + dy);
+    }
+  }
+  return sums;
 }
 
 template <class Policy, class Point>
 Contrast centre_surround(const Plane<double>& in) {
   Contrast out{Plane<double>(in.width(), in.height()), Plane<double>(in.width(), in.height())};
-  for (int y = 0; y < in.height(); ++y) {
-    for (int x = 0; x < in.width(); ++x) {
-      for (const int radius : {hls::geometry::surround_radius_small, hls::geometry::surround_radius_large}) {
-        const double difference = in(x, y) - surround_mean(in, x, y, radius);
+  for (const int radius : {hls::geometry::surround_radius_small, hls::geometry::surround_radius_large}) {
+    const int side = 2 * radius + 1;
+    const Plane<double> sums = window_sums(in, radius);
+    for (int y = 0; y < in.height(); ++y) {
+      for (int x = 0; x < in.width(); ++x) {
+        // The surround is the mean of the window without its centre.
+        const double difference = in(x, y) - (sums(x, y) - in(x, y)) / (side * side - 1);
         out.on(x, y) += Policy::template at<Point>(std::max(0.0, difference));
         out.off(x, y) += Policy::template at<Point>(std::max(0.0, -difference));
       }

@@ -1,4 +1,5 @@
-// The whole reference front end, spec sections 2-7: image in, ten feature maps, three conspicuities, saliency out.
+// The whole reference front end, spec sections 2-7: image in, ten feature maps, three conspicuities, saliency
+// out.
 #pragma once
 
 #include <array>
@@ -69,8 +70,8 @@ Plane<double> colour_feature(Plane<double> channel) {
 
 template <class Policy>
 Plane<double> orientation_feature(const Pyramid& intensity, int index) {
-  return across_scales<Policy, point::orientation_feature>(
-      each_level(intensity, [index](const Plane<double>& level) { return gabor_energy<Policy>(level, index); }));
+  return across_scales<Policy, point::orientation_feature>(each_level(
+      intensity, [index](const Plane<double>& level) { return gabor_energy<Policy>(level, index); }));
 }
 
 // Sections 2-6.
@@ -102,7 +103,7 @@ Model compute(const ImageView& image) {
   out.features = feature_maps<Policy>(image);
   std::array<Plane<double>, hls::geometry::feature_maps> normalised;
   for (std::size_t i = 0; i < normalised.size(); ++i) {
-    out.feature_statistics[i] = statistics(out.features[i]);
+    out.feature_statistics[i] = statistics(out.features[i], Policy::tie);
     normalised[i] = normalise<Policy, point::normalised>(out.features[i], out.feature_statistics[i]);
   }
   const std::span<const Plane<double>> all(normalised);

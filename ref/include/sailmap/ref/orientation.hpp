@@ -14,12 +14,19 @@ namespace sailmap::ref {
 
 using GaborWindow = std::array<std::array<double, hls::geometry::gabor_taps>, hls::geometry::gabor_taps>;
 
+// Row or column of a Gabor window at `offset` pixels from its centre.
+inline std::size_t gabor_index(int offset) {
+  const int index = offset + hls::geometry::gabor_radius;
+  return static_cast<std::size_t>(index);
+}
+
 struct GaborPair {
   GaborWindow even;  // [row][column], free of DC, sum of absolute values 1
   GaborWindow odd;
 };
 
-// The pair for theta = 45 degrees x `index`: wavelength 7, isotropic Gaussian of sigma 7/3, u = x cos + y sin.
+// The pair for theta = 45 degrees x `index`: wavelength 7, isotropic Gaussian of sigma 7/3, u = x cos + y
+// sin.
 inline GaborPair gabor_pair(int index) {
   constexpr int radius = hls::geometry::gabor_radius;
   constexpr double wavelength = 7;
@@ -31,8 +38,8 @@ inline GaborPair gabor_pair(int index) {
   double gauss_sum = 0;
   for (int y = -radius; y <= radius; ++y) {
     for (int x = -radius; x <= radius; ++x) {
-      const auto row = static_cast<std::size_t>(y + radius);
-      const auto column = static_cast<std::size_t>(x + radius);
+      const std::size_t row = gabor_index(y);
+      const std::size_t column = gabor_index(x);
       const double phase = 2 * std::numbers::pi * (x * std::cos(theta) + y * std::sin(theta)) / wavelength;
       const double g = std::exp(-(x * x + y * y) / (2 * sigma * sigma));
       gauss[row][column] = g;
@@ -73,8 +80,8 @@ Plane<double> gabor_energy(const Plane<double>& in, int index) {
       double odd = 0;
       for (int dy = -radius; dy <= radius; ++dy) {
         for (int dx = -radius; dx <= radius; ++dx) {
-          const auto row = static_cast<std::size_t>(dy + radius);
-          const auto column = static_cast<std::size_t>(dx + radius);
+          const std::size_t row = gabor_index(dy);
+          const std::size_t column = gabor_index(dx);
           const double v = in.clamped(x + dx, y + dy);
           even += pair.even[row][column] * v;
           odd += pair.odd[row][column] * v;

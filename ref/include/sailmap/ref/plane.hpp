@@ -31,7 +31,7 @@ class Plane {
   const T& operator()(int x, int y) const { return samples_[index(x, y)]; }
 
   // The sample at (x, y), or the nearest one inside the plane: edge replication, the border of every filter.
-  const T& clamped(int x, int y) const {
+  [[nodiscard]] const T& clamped(int x, int y) const {
     return (*this)(std::clamp(x, 0, width_ - 1), std::clamp(y, 0, height_ - 1));
   }
 
@@ -64,7 +64,8 @@ struct ImageView {
     int r, g, b;
   };
   [[nodiscard]] Rgb at(int x, int y) const {
-    const std::uint8_t* p = data + static_cast<std::ptrdiff_t>(y) * stride + static_cast<std::ptrdiff_t>(x) * 3;
+    const std::uint8_t* p =
+        data + static_cast<std::ptrdiff_t>(y) * stride + static_cast<std::ptrdiff_t>(x) * 3;
     return order == ChannelOrder::rgb ? Rgb{p[0], p[1], p[2]} : Rgb{p[2], p[1], p[0]};
   }
 };

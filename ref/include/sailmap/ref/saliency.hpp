@@ -36,8 +36,8 @@ template <class Policy>
 Plane<double> saliency(const std::array<Plane<double>, hls::geometry::conspicuity_maps>& conspicuities) {
   std::array<Plane<double>, hls::geometry::conspicuity_maps> normalised;
   for (std::size_t kind = 0; kind < conspicuities.size(); ++kind) {
-    normalised[kind] = normalise<Policy, point::normalised_conspicuity>(conspicuities[kind],
-                                                                        statistics(conspicuities[kind]));
+    const MapStatistics stats = statistics(conspicuities[kind], Policy::tie);
+    normalised[kind] = normalise<Policy, point::normalised_conspicuity>(conspicuities[kind], stats);
   }
   return sum_of<Policy, point::saliency>(normalised);
 }
