@@ -38,6 +38,10 @@ class Simulator {
   // Throws Error when the configuration is out of range or the texture folder has no image.
   explicit Simulator(const SimulationConfig& config);
   ~Simulator();
+  Simulator(const Simulator&) = delete;
+  Simulator& operator=(const Simulator&) = delete;
+  Simulator(Simulator&&) = delete;
+  Simulator& operator=(Simulator&&) = delete;
   // Image `index` (0 ..; any index, not only below config.images): 8-bit BGR, the same for the same
   // configuration. May be called from several threads at once. Throws Error when the index is below 0.
   [[nodiscard]] cv::Mat render(int index) const;

@@ -3,6 +3,8 @@
 #include <gnuplot-iostream.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <fstream>
 #include <utility>
@@ -42,7 +44,7 @@ struct Page {
   explicit Page(const std::string& text)
       : title(drawing::Text().wrapped(text, title_size, page_width - 40)),
         height(panel_bottom + panel + 62 + title_line * static_cast<int>(title.size())) {}
-  [[nodiscard]] double across(double x) const { return x / page_width; }
+  static double across(double x) { return x / page_width; }
   [[nodiscard]] double up(double y) const { return y / height; }
 
   // The panel that comes next fills this part of the page.
@@ -95,7 +97,8 @@ void write_cells(const fs::path& path, const Plane<float>& cells, double ceiling
   std::ofstream out(path, std::ios::binary);
   for (const float cell : cells.samples()) {
     const float shown = std::isnan(cell) ? cell : std::min(cell, static_cast<float>(ceiling));
-    out.write(reinterpret_cast<const char*>(&shown), sizeof shown);
+    const auto bytes = std::bit_cast<std::array<char, sizeof shown>>(shown);
+    out.write(bytes.data(), bytes.size());
   }
   out.flush();
   if (!out) throw Error(path.string() + ": cannot be written");
@@ -145,8 +148,8 @@ void send_matrix_panel(Gnuplot& gp, const Page& page, const fs::path& cell_file,
      << "\nset xlabel 'candidate'\nset ylabel 'query' offset 0,0\nset xrange [-0.5:" << extent.width - 0.5
      << "]\nset yrange [" << extent.height - 0.5 << ":-0.5]\n"
      << page.frame(matrix_left, bottom, width, high) << page.key(matrix_left)
-     << "set colorbox user origin screen " << page.across(matrix_left + width + 14) << ","
-     << page.up(panel_bottom) << " size screen " << page.across(16) << "," << page.up(panel)
+     << "set colorbox user origin screen " << Page::across(matrix_left + width + 14) << ","
+     << page.up(panel_bottom) << " size screen " << Page::across(16) << "," << page.up(panel)
      << "\nset cbrange [0:" << raster.ceiling << "]\nset cblabel "
      << gnuplot_text(fmt::format("similarity, clipped at {:.3g} ({:g}th percentile)", raster.ceiling,
                                  100 * ceiling_part))

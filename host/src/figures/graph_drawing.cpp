@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <opencv2/core.hpp>
+#include <utility>
 #include <vector>
 
 #include "drawing.hpp"
@@ -19,11 +20,18 @@ constexpr double page_height = 560;
 
 std::mutex graphviz_lock;
 
-// Graphviz's interface takes strings that it does not change as char*.
-char* c_string(const std::string& text) { return const_cast<char*>(text.c_str()); }
+// Graphviz's interface takes strings that it copies, and does not change, as char*.
+class Chars {
+ public:
+  explicit Chars(std::string text) : text_(std::move(text)) {}
+  operator char*() { return text_.data(); }
+
+ private:
+  std::string text_;
+};
 
 void set(void* object, const std::string& key, const std::string& value) {
-  if (agset(object, c_string(key), c_string(drawing::printable(value))) != 0) {
+  if (agset(object, Chars(key), Chars(drawing::printable(value))) != 0) {
     throw Error("graphviz has no default of attribute '" + key + "'");
   }
 }
@@ -57,7 +65,7 @@ void scale(cv::Mat1d& points) {
 }  // namespace
 
 GraphDrawing::GraphDrawing()
-    : turn_(graphviz_lock), context_(gvContext()), graph_(agopen(c_string("map"), Agundirected, nullptr)) {
+    : turn_(graphviz_lock), context_(gvContext()), graph_(agopen(Chars("map"), Agundirected, nullptr)) {
   agseterr(AGMAX);  // a library does not print
   set_default(Part::graph, {{"overlap", "true"},
                             {"splines", "line"},
@@ -71,24 +79,24 @@ GraphDrawing::GraphDrawing()
 
 void GraphDrawing::set_default(Part part, const Attributes& attributes) {
   const int kind = part == Part::graph ? AGRAPH : part == Part::node ? AGNODE : AGEDGE;
-  for (const auto& [key, value] : attributes) agattr(graph_.get(), kind, c_string(key), c_string(value));
+  for (const auto& [key, value] : attributes) agattr(graph_.get(), kind, Chars(key), Chars(value));
 }
 
 void GraphDrawing::add_node(int id, const Attributes& attributes) {
-  Agnode_t* node = agnode(graph_.get(), c_string(std::to_string(id)), 1);
+  Agnode_t* node = agnode(graph_.get(), Chars(std::to_string(id)), 1);
   for (const auto& [key, value] : attributes) set(node, key, value);
 }
 
 void GraphDrawing::add_edge(int from, int to, const Attributes& attributes) {
-  Agnode_t* a = agnode(graph_.get(), c_string(std::to_string(from)), 1);
-  Agnode_t* b = agnode(graph_.get(), c_string(std::to_string(to)), 1);
+  Agnode_t* a = agnode(graph_.get(), Chars(std::to_string(from)), 1);
+  Agnode_t* b = agnode(graph_.get(), Chars(std::to_string(to)), 1);
   Agedge_t* edge = agedge(graph_.get(), a, b, nullptr, 1);
   for (const auto& [key, value] : attributes) set(edge, key, value);
 }
 
 void GraphDrawing::set_legend(const std::string& html) {
-  char* label = agstrdup_html(graph_.get(), c_string(html));
-  agattr(graph_.get(), AGRAPH, c_string("label"), label);
+  char* label = agstrdup_html(graph_.get(), Chars(html));
+  agattr(graph_.get(), AGRAPH, Chars("label"), label);
   agstrfree(graph_.get(), label);
 }
 

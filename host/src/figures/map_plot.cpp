@@ -49,7 +49,7 @@ void set_style(GraphDrawing& graph, std::size_t nodes) {
   const bool few = nodes <= 40;
   const bool numbered = nodes <= most_numbered;
   const bool many = nodes > 400;
-  const char* side = few ? "0.34" : numbered ? "0.26" : !many ? "0.12" : nodes <= 1500 ? "0.06" : "0.03";
+  const char* side = few ? "0.34" : numbered ? "0.26" : !many ? "0.12" : nodes <= 1500 ? "0.05" : "0.012";
   // Among many nodes loops would be hidden beneath them.
   graph.set_default(GraphDrawing::Part::graph, {{"outputorder", many ? "nodesfirst" : "edgesfirst"}});
   graph.set_default(GraphDrawing::Part::node, {{"shape", "circle"},
@@ -103,7 +103,7 @@ void add_edges(GraphDrawing& graph, const TopologicalMap& map) {
     graph.add_edge(
         edge.from, edge.to,
         {{"color", loop_colour(part)},
-         {"penwidth", "2"},
+         {"penwidth", map.nodes().size() > 1500 ? "1" : "2"},
          {"tooltip", fmt::format("loop {} - {}, similarity {:.4g}", edge.from, edge.to, similarity)}});
   }
 }

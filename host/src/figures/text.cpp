@@ -62,7 +62,9 @@ std::string font_file() {
                                                               FcPatternDestroy);
   FcChar8* file = nullptr;
   if (!font || FcPatternGetString(font.get(), FC_FILE, 0, &file) != FcResultMatch) return {};
-  return reinterpret_cast<const char*>(file);
+  std::string out;
+  for (; *file != 0; ++file) out += static_cast<char>(*file);
+  return out;
 }
 
 Text::Text(const std::string& font) {

@@ -26,7 +26,7 @@ Canvas draw_railing() {
   canvas.box(0, 0.45, 8, 0.55, rgb(176, 170, 158));
   const Colour iron = rgb(36, 48, 42);
   for (const double y : {0.7, 1.5}) canvas.box(0, y, 8, y + 0.06, iron);
-  for (double x = 0.05; x < 8; x += 0.2) canvas.box(x, 0.5, x + 0.05, 1.75, iron);
+  for (const double x : steps(0.05, 8, 0.2)) canvas.box(x, 0.5, x + 0.05, 1.75, iron);
   return canvas;
 }
 
@@ -44,6 +44,7 @@ Canvas draw_wall() {
 
 std::vector<TexturePtr> make_side_walls(double density, const cv::Mat1b& noise_plate) {
   std::vector<TexturePtr> walls;
+  walls.reserve(18);
   for (int i = 0; i < 18; ++i)
     walls.push_back(make_texture(draw_side_wall(hash(0, Subject::sprites, 20, i), density, noise_plate)));
   return walls;
@@ -55,7 +56,7 @@ std::vector<TexturePtr> make_roofs(double density, const cv::Mat1b& noise_plate)
   std::vector<TexturePtr> roofs;
   for (const Colour& colour : colours) {
     Canvas canvas(8, 4, density, colour);
-    for (double y = 0; y < 4; y += 0.3) canvas.box(0, y, 8, y + 0.09, scaled(colour, 0.72));
+    for (const double y : steps(0, 4, 0.3)) canvas.box(0, y, 8, y + 0.09, scaled(colour, 0.72));
     for (const double x : {2.0, 5.6}) {
       canvas.box(x - 0.55, 1.3, x + 0.55, 2.6, scaled(colour, 0.6));
       canvas.box(x - 0.42, 1.4, x + 0.42, 2.4, rgb(70, 84, 98));

@@ -186,7 +186,7 @@ void Buildings::place_garden(const Lot& lot, const Footprint& at, const Moment& 
       make_panel(at.left, at.right - at.left, {0, 0, 1.8}, fences_[static_cast<std::size_t>(lot.fence)]);
   s.right = 8 * along;
   s.tint = moment.lighting.on(at.to_street);
-  for (double start = 0; start < at.width(); start += 8) {  // the picture again and again
+  for (const double start : steps(0, at.width(), 8)) {  // the picture again and again
     const double end = std::min(start + 8, at.width());
     s.origin = at.left + start * along;
     s.corners = {s.origin, at.left + end * along, at.left + end * along + s.up, s.origin + s.up, cv::Vec3d()};

@@ -33,6 +33,12 @@ Colour from_hsv(double hue, double saturation, double value) {
   return rgb(channel(0.5), channel(1.0 / 6), channel(5.0 / 6));
 }
 
+std::vector<double> steps(double first, double end, double step) {
+  std::vector<double> values;
+  for (int i = 0; first + i * step < end; ++i) values.push_back(first + i * step);
+  return values;
+}
+
 Canvas::Canvas(double width, double height, double density, const Colour& fill)
     : width_(width),
       height_(height),

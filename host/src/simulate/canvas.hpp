@@ -19,6 +19,9 @@ Colour blend(const Colour& a, const Colour& b, double part_of_b);
 // From hue 0..1 (red, yellow, green, blue, red), saturation and value 0..1.
 Colour from_hsv(double hue, double saturation, double value);
 
+// first, first + step, ... below `end`.
+std::vector<double> steps(double first, double end, double step);
+
 class Canvas {
  public:
   // Size in metres, `density` in pixels a metre.

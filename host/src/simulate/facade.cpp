@@ -12,8 +12,8 @@ constexpr double ground_height = 3.5;
 
 void draw_glass_front(Canvas& canvas, const FacadePlan& plan, const Style& style, Random& random) {
   const double storey = 3.1;
-  for (double y = 0.3; y < plan.eaves - 0.4; y += storey) {
-    for (double x = 0.15; x < plan.width - 0.3; x += style.bay) {
+  for (const double y : steps(0.3, plan.eaves - 0.4, storey)) {
+    for (const double x : steps(0.15, plan.width - 0.3, style.bay)) {
       const double x1 = std::min(x + style.bay - 0.12, plan.width - 0.15);
       const double y1 = std::min(y + storey - 0.6, plan.eaves - 0.3);
       canvas.box(x, y, x1, y1, scaled(style.glass, random.uniform(0.8, 1.7)));
@@ -55,7 +55,7 @@ void draw_landmark(Canvas& canvas, const FacadePlan& plan, const Style& style, R
     const Colour cloth = vivid(random);
     const Colour other = vivid(random);
     canvas.box(x, ground_height + 0.2, x + 1.1, plan.eaves - 0.5, cloth);
-    for (double y = ground_height + 0.2; y < plan.eaves - 0.9; y += 1.6)
+    for (const double y : steps(ground_height + 0.2, plan.eaves - 0.9, 1.6))
       canvas.box(x, y, x + 1.1, y + 0.6, other);
   } else if (draw < 0.26 && upper > 2) {
     const double y = random.uniform(ground_height + 0.2, plan.eaves - 1.5);
@@ -148,7 +148,7 @@ cv::Mat4b draw_side_wall(std::uint64_t seed, double density, const cv::Mat1b& no
     const double y = random.uniform(3, 6);
     draw_sign(canvas, {0.7, y, 7.3, y + random.uniform(1.5, 2.6)}, random);
   } else {
-    for (double y = 4; y < 11; y += 3)
+    for (const double y : steps(4, 11, 3))
       for (const double x : {2.2, 5.6})
         if (random.chance(0.6)) draw_window(canvas, {x - 0.5, y, x + 0.5, y + 1.4}, style, random);
   }

@@ -43,7 +43,7 @@ void draw_shutters(Canvas& canvas, const Area& a, const Style& style) {
   const double leaf = a.width() * 0.42;
   for (const double x : {a.x0 - leaf - 0.05, a.x1 + 0.05}) {
     canvas.box(x, a.y0, x + leaf, a.y1, style.accent);
-    for (double y = a.y0 + 0.1; y < a.y1 - 0.1; y += 0.2)
+    for (const double y : steps(a.y0 + 0.1, a.y1 - 0.1, 0.2))
       canvas.box(x + 0.06, y, x + leaf - 0.06, y + 0.07, scaled(style.accent, 0.72));
   }
 }
@@ -52,7 +52,7 @@ void draw_balcony(Canvas& canvas, const Area& a) {
   const Colour iron = rgb(38, 40, 44);
   canvas.box(a.x0 - 0.3, a.y0 - 0.2, a.x1 + 0.3, a.y0 - 0.05, rgb(150, 146, 138));
   canvas.box(a.x0 - 0.3, a.y0 + 0.8, a.x1 + 0.3, a.y0 + 0.87, iron);
-  for (double x = a.x0 - 0.28; x < a.x1 + 0.3; x += 0.16)
+  for (const double x : steps(a.x0 - 0.28, a.x1 + 0.3, 0.16))
     canvas.box(x, a.y0 - 0.05, x + 0.05, a.y0 + 0.8, iron);
   canvas.shade(a.x0 - 0.3, a.y0 - 0.6, a.x1 + 0.3, a.y0 - 0.2, 0.95, 0.7);
 }
@@ -115,7 +115,7 @@ void draw_garage(Canvas& canvas, const Area& a, const Style& style, Random& rand
   const double x = a.x0 + 0.6 + (a.width() - 1.2 - width) * random.uniform();
   canvas.box(x - 0.15, a.y0, x + width + 0.15, a.y0 + 2.75, style.trim);
   canvas.box(x, a.y0, x + width, a.y0 + 2.6, paint);
-  for (double y = a.y0 + 0.25; y < a.y0 + 2.6; y += 0.3)
+  for (const double y : steps(a.y0 + 0.25, a.y0 + 2.6, 0.3))
     canvas.box(x, y, x + width, y + 0.05, scaled(paint, 0.7));
 }
 
@@ -165,7 +165,7 @@ void draw_window(Canvas& canvas, const Area& a, const Style& style, Random& rand
   if (style.balconies && random.chance(0.7)) {
     draw_balcony(canvas, a);
   } else if (random.chance(0.12)) {
-    for (double x = a.x0; x < a.x1; x += 0.18)
+    for (const double x : steps(a.x0, a.x1, 0.18))
       canvas.ellipse(x + 0.09, a.y0 + 0.05, 0.12, 0.12,
                      random.chance(0.5) ? rgb(70, 120, 50) : vivid(random));
   }

@@ -86,11 +86,12 @@ void lay_material(Canvas& canvas, const Style& style) {
   const double pixel = 1 / canvas.density();
   const auto joints = [&](double course, double length, double depth) {
     const Colour mortar = blend(style.wall, rgb(210, 205, 195), depth);
-    int row = 0;
-    for (double y = 0; y < h; y += course, ++row) {
+    bool shifted = false;
+    for (const double y : steps(0, h, course)) {
       canvas.box(0, y, w, y + pixel, mortar);
-      for (double x = row % 2 == 0 ? 0 : length / 2; x < w; x += length)
+      for (const double x : steps(shifted ? length / 2 : 0, w, length))
         canvas.box(x, y, x + pixel, y + course, mortar);
+      shifted = !shifted;
     }
   };
   switch (style.material) {
@@ -101,13 +102,13 @@ void lay_material(Canvas& canvas, const Style& style) {
       joints(0.5, 1.1, 0.35);
       break;
     case Material::panels:
-      for (double y = 0.2; y < h; y += 1.5) canvas.box(0, y, w, y + 0.05, scaled(style.wall, 0.7));
-      for (double x = 0; x < w; x += 1.8) canvas.box(x, 0, x + 0.05, h, scaled(style.wall, 0.7));
+      for (const double y : steps(0.2, h, 1.5)) canvas.box(0, y, w, y + 0.05, scaled(style.wall, 0.7));
+      for (const double x : steps(0, w, 1.8)) canvas.box(x, 0, x + 0.05, h, scaled(style.wall, 0.7));
       break;
     case Material::timber:
-      for (double y = 3.4; y < h; y += 1.5) {
+      for (const double y : steps(3.4, h, 1.5)) {
         canvas.box(0, y, w, y + 0.2, scaled(style.accent, 0.45));
-        for (double x = 0; x < w; x += style.bay / 2) {
+        for (const double x : steps(0, w, style.bay / 2)) {
           canvas.box(x, y, x + 0.16, y + 1.5, scaled(style.accent, 0.45));
           if (static_cast<int>(x * 7 + y * 3) % 3 == 0)
             canvas.stroke(x, y, x + style.bay / 2, y + 1.5, 0.16, scaled(style.accent, 0.45));

@@ -19,8 +19,9 @@ void draw_pavement(Canvas& canvas, const StreetPlan& plan, const Colour& slab) {
     const double kerb = middle + side * plan.kerb;
     const double front = middle + side * plan.front;
     canvas.box(kerb, 0, front, tile_length, slab);
-    for (double y = 0; y < tile_length; y += 0.8) canvas.box(kerb, y, front, y + 0.04, scaled(slab, 0.78));
-    for (double x = 0.8; x < plan.front - plan.kerb; x += 0.8)
+    for (const double y : steps(0, tile_length, 0.8))
+      canvas.box(kerb, y, front, y + 0.04, scaled(slab, 0.78));
+    for (const double x : steps(0.8, plan.front - plan.kerb, 0.8))
       canvas.box(kerb + side * x, 0, kerb + side * x + 0.04, tile_length, scaled(slab, 0.78));
     canvas.box(front - side * 0.5, 0, front, tile_length, scaled(slab, 0.75));
     canvas.box(kerb, 0, kerb + side * 0.22, tile_length, scaled(slab, 1.25));
@@ -30,8 +31,8 @@ void draw_pavement(Canvas& canvas, const StreetPlan& plan, const Colour& slab) {
 
 void draw_setts(Canvas& canvas, const StreetPlan& plan, Random& random) {
   const double middle = canvas.width() / 2;
-  for (double y = 0; y < tile_length; y += 0.25)
-    for (double x = middle - plan.kerb; x < middle + plan.kerb; x += 0.3)
+  for (const double y : steps(0, tile_length, 0.25))
+    for (const double x : steps(middle - plan.kerb, middle + plan.kerb, 0.3))
       canvas.box(x, y, x + 0.26, y + 0.21, scaled(rgb(128, 120, 112), random.uniform(0.75, 1.2)));
 }
 
@@ -41,7 +42,7 @@ void draw_variant(Canvas& canvas, const StreetPlan& plan, int variant, Random& r
   const Colour paint = rgb(222, 222, 214);
   switch (variant) {
     case 1:
-      for (double x = -plan.kerb + 0.5; x < plan.kerb - 0.4; x += 1)
+      for (const double x : steps(-plan.kerb + 0.5, plan.kerb - 0.4, 1))
         canvas.box(middle + x, 2, middle + x + 0.5, 5, paint);
       break;
     case 2:
@@ -66,7 +67,7 @@ void draw_variant(Canvas& canvas, const StreetPlan& plan, int variant, Random& r
     }
     case 5: {
       double x = middle + plan.kerb * random.uniform(-0.7, 0.7);
-      for (double y = 0; y < tile_length; y += 0.7) {
+      for (const double y : steps(0, tile_length, 0.7)) {
         const double next = x + random.uniform(-0.4, 0.4);
         canvas.stroke(x, y, next, y + 0.75, 0.06, rgb(48, 48, 50));
         x = next;

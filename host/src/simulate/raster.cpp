@@ -80,6 +80,43 @@ struct Sampler {
 
 uchar to_byte(float value) { return static_cast<uchar>(std::clamp(value + 0.5F, 0.0F, 255.0F)); }
 
+// Part of a row: columns first .. last-1.
+struct Chunk {
+  int first, last, y;
+};
+
+template <bool blended>
+void paint_chunk(const Surface& surface, const Mapping& m, const Haze& haze, const Chunk& part,
+                 cv::Vec3b* colours, float* depths) {
+  const cv::Vec3d start = m.base + (part.first + 0.5) * m.per_x + (part.y + 0.5) * m.per_y;
+  const cv::Vec3d middle = start + 0.5 * (part.last - 1 - part.first) * m.per_x;
+  const int level = choose_level(*surface.texture, m, middle[0], middle[1], middle[2]);
+  const Sampler sample{surface.texture->levels[static_cast<std::size_t>(level)]};
+  const float clear_air = std::exp(-1 / (static_cast<float>(middle[2]) * haze.range));
+  const cv::Vec3f gain = surface.tint * (clear_air / 256);
+  const cv::Vec3f air = haze.colour * (1 - clear_air);
+  auto uw = static_cast<float>(start[0]);
+  auto vw = static_cast<float>(start[1]);
+  auto w = static_cast<float>(start[2]);
+  const cv::Vec3f step = m.per_x;
+  for (int x = part.first; x < part.last; ++x, uw += step[0], vw += step[1], w += step[2]) {
+    const float z = 1 / w;
+    if (z >= (blended ? depths[x] * coplanar : depths[x])) continue;
+    const cv::Vec4i texel = sample(uw * z, vw * z);
+    const bool solid = texel[3] >= 128 * 256;
+    if (!blended && !solid) continue;
+    const float alpha = static_cast<float>(texel[3]) / (255 * 256);
+    // Solid surfaces ignore partial alpha, so its factor is taken out of the colour.
+    const float weight = blended ? surface.opacity : 1 / alpha;
+    const float air_weight = blended ? alpha * surface.opacity : 1;
+    const float rest = blended ? 1 - air_weight : 0;
+    for (int c = 0; c < 3; ++c)
+      colours[x][c] = to_byte(static_cast<float>(texel[c]) * gain[c] * weight + air[c] * air_weight +
+                              rest * static_cast<float>(colours[x][c]));
+    if (solid) depths[x] = z;
+  }
+}
+
 }  // namespace
 
 Surface make_panel(const cv::Vec3d& origin, const cv::Vec3d& right, const cv::Vec3d& up, TexturePtr texture) {
@@ -183,45 +220,15 @@ bool Raster::find_spans(const Surface& surface) {
 
 template <bool blended>
 void Raster::paint(const Surface& surface) {
-  Mapping m;
-  if (!find_spans(surface) || !find_mapping(view_, surface, m)) return;
+  Mapping mapping;
+  if (!find_spans(surface) || !find_mapping(view_, surface, mapping)) return;
   const double columns = colour_.cols;
   for (int y = first_row_; y <= last_row_; ++y) {
     const auto row = static_cast<std::size_t>(y);
     const int begin = static_cast<int>(std::clamp(std::ceil(left_[row] - 0.5), 0.0, columns));
     const int end = static_cast<int>(std::clamp(std::ceil(right_[row] - 0.5), 0.0, columns));
-    cv::Vec3b* colours = colour_[y];
-    float* depths = depth_[y];
-    for (int x0 = begin; x0 < end; x0 += chunk) {
-      const int x1 = std::min(x0 + chunk, end);
-      const cv::Vec3d start = m.base + (x0 + 0.5) * m.per_x + (y + 0.5) * m.per_y;
-      const cv::Vec3d middle = start + 0.5 * (x1 - 1 - x0) * m.per_x;
-      const int level = choose_level(*surface.texture, m, middle[0], middle[1], middle[2]);
-      const Sampler sample{surface.texture->levels[static_cast<std::size_t>(level)]};
-      const float clear_air = std::exp(-1 / (static_cast<float>(middle[2]) * haze_.range));
-      const cv::Vec3f gain = surface.tint * (clear_air / 256);
-      const cv::Vec3f air = haze_.colour * (1 - clear_air);
-      auto uw = static_cast<float>(start[0]);
-      auto vw = static_cast<float>(start[1]);
-      auto w = static_cast<float>(start[2]);
-      const cv::Vec3f step = m.per_x;
-      for (int x = x0; x < x1; ++x, uw += step[0], vw += step[1], w += step[2]) {
-        const float z = 1 / w;
-        if (z >= (blended ? depths[x] * coplanar : depths[x])) continue;
-        const cv::Vec4i texel = sample(uw * z, vw * z);
-        const bool solid = texel[3] >= 128 * 256;
-        if (!blended && !solid) continue;
-        const float alpha = static_cast<float>(texel[3]) / (255 * 256);
-        // Solid surfaces ignore partial alpha, so its factor is taken out of the colour.
-        const float weight = blended ? surface.opacity : 1 / alpha;
-        const float air_weight = blended ? alpha * surface.opacity : 1;
-        const float rest = blended ? 1 - air_weight : 0;
-        for (int c = 0; c < 3; ++c)
-          colours[x][c] = to_byte(static_cast<float>(texel[c]) * gain[c] * weight + air[c] * air_weight +
-                                  rest * static_cast<float>(colours[x][c]));
-        if (solid) depths[x] = z;
-      }
-    }
+    for (int x = begin; x < end; x += chunk)
+      paint_chunk<blended>(surface, mapping, haze_, {x, std::min(x + chunk, end), y}, colour_[y], depth_[y]);
   }
 }
 

@@ -106,8 +106,11 @@ Route::Route(std::uint64_t seed, double length, double least_radius) : length_(l
   const int count = static_cast<int>(std::lround(length / node_spacing));
   step_ = length / count;
   // Straighten until every bend is wide enough; strength 0 would be the circle.
-  for (double strength = 1; nodes_.empty() || sharpest(nodes_) * least_radius > 1; strength *= 0.85)
+  double strength = 1;
+  do {
     nodes_ = make_nodes(resample(sample_curve(harmonics, strength, 4 * count), count, length), step_);
+    strength *= 0.85;
+  } while (sharpest(nodes_) * least_radius > 1);
 }
 
 RoutePoint Route::at(double distance) const {

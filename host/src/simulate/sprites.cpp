@@ -132,8 +132,8 @@ Sprite make_column(std::uint64_t seed) {
   Random random(seed);  // an advertising column with posters
   Canvas canvas(1.3, 3, 64, clear());
   canvas.box(0.1, 0, 1.2, 2.7, rgb(92, 104, 96));
-  for (double y = 0.4; y < 2.3; y += 1.05) {
-    for (double x = 0.14; x < 1.0; x += 0.54) {
+  for (const double y : steps(0.4, 2.3, 1.05)) {
+    for (const double x : steps(0.14, 1.0, 0.54)) {
       const Colour paper = from_hsv(random.uniform(), 0.6, 0.9);
       canvas.box(x, y, x + 0.48, y + 0.95, paper);
       canvas.ellipse(x + 0.24, y + 0.6, 0.15, 0.2, from_hsv(random.uniform(), 0.9, 0.7));
@@ -170,7 +170,7 @@ Sprite make_box(std::uint64_t seed) {
   canvas.box(0.03, 0.05, width - 0.03, height - 0.05, paint);
   canvas.shade(0, 0, width, height, 0.7, 1.15);
   if (booth) {
-    for (double y = 0.5; y < 2; y += 0.5)
+    for (const double y : steps(0.5, 2, 0.5))
       for (const double x : {0.14, 0.5}) canvas.box(x, y, x + 0.31, y + 0.42, rgb(150, 176, 186));
     canvas.box(0.12, 2.08, width - 0.12, 2.26, rgb(245, 245, 240));
   } else {

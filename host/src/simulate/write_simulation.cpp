@@ -47,6 +47,8 @@ class Workshop {
   }
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
+  Workshop(Workshop&&) = delete;
+  Workshop& operator=(Workshop&&) = delete;
   ~Workshop() { clean(); }
 
   [[nodiscard]] fs::path path() const { return folder_ / (".simulation.part" + std::to_string(::getpid())); }
@@ -85,9 +87,7 @@ std::string exact(double value) {
 void write_image(const fs::path& path, const cv::Mat& image) {
   std::vector<uchar> bytes;
   if (!cv::imencode(".png", image, bytes)) throw Error(path.string() + ": cannot be encoded as PNG");
-  write_file(path, [&](std::ostream& out) {
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  });
+  write_file(path, [&](std::ostream& out) { out << std::string(bytes.begin(), bytes.end()); });
 }
 
 std::string image_name(int index) {

@@ -47,7 +47,7 @@ TEST(Route, BendsNoMoreSharplyThanAllowed) {
 
 TEST(Route, HeadingPointsAlongTheCurve) {
   const Route route(5, 900, 12);
-  for (double s = 0; s < 900; s += 13) {
+  for (int s = 0; s < 900; s += 13) {
     const cv::Vec2d step = route.at(s + 0.5).position - route.at(s - 0.5).position;
     const double difference =
         std::remainder(std::atan2(step[1], step[0]) - route.at(s).heading, 2 * std::numbers::pi);
