@@ -23,12 +23,12 @@ std::string_view name(Reason reason);
 Reason reason_from_name(std::string_view name);  // throws Error
 
 struct DetectionConfig {
-  double threshold = 20;      // Th_LCD, in the paper's scale
-  int min_matches = 1;        // least |MR| for a loop closure
-  // A rival at another place at least this part of the best similarity makes the detection ambiguous; above 1: never
-  // (the paper).
+  double threshold = 20;  // Th_LCD, in the paper's scale
+  int min_matches = 1;    // least |MR| for a loop closure
+  // A rival at another place at least this part of the best similarity makes the detection ambiguous; above
+  // 1: never (the paper).
   double ambiguity_ratio = 2;
-  int same_place_nodes = 5;   // rivals within so many nodes of the best are the same place
+  int same_place_nodes = 5;  // rivals within so many nodes of the best are the same place
 };
 
 struct Candidate {

@@ -13,9 +13,10 @@ namespace sailmap {
 
 inline constexpr float not_admissible = std::numeric_limits<float>::quiet_NaN();
 
-// Each image against all earlier ones but the `exclude_recent` newest. Row = query, column = candidate; NaN where not
-// admissible. Runs on all cores; the result does not depend on their number.
-Plane<float> score_sequence(const std::vector<Signature>& images, int exclude_recent, const MatchConfig& config);
+// Each image against all earlier ones but the `exclude_recent` newest. Row = query, column = candidate; NaN
+// where not admissible. Runs on all cores; the result does not depend on their number.
+Plane<float> score_sequence(const std::vector<Signature>& images, int exclude_recent,
+                            const MatchConfig& config);
 
 // Two traverses: each query against all references.
 Plane<float> score_traverses(const std::vector<Signature>& queries, const std::vector<Signature>& references,
@@ -36,8 +37,8 @@ struct FixedThreshold {
 };
 
 struct Evaluation {
-  int queries = 0;             // with at least one admissible candidate
-  int queries_with_match = 0;  // with at least one admissible true match
+  int queries = 0;                // with at least one admissible candidate
+  int queries_with_match = 0;     // with at least one admissible true match
   std::vector<CurvePoint> curve;  // falling threshold, one point per distinct score
   double average_precision = 0;   // sum over the curve of (rise in recall) x precision
   double recall_at_100 = 0;       // highest recall of a point with precision 1

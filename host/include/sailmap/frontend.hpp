@@ -16,8 +16,8 @@ class Frontend {
   virtual ~Frontend() = default;
   // "reference", ...: as given to make_frontend.
   [[nodiscard]] virtual std::string_view name() const = 0;
-  // Fills `maps`, reusing its memory. Throws Error when a side is outside 64..4096 pixels. Not safe to call from two
-  // threads at once on one object: give each thread its own.
+  // Fills `maps`, reusing its memory. Throws Error when a side is outside 64..4096 pixels. Not safe to call
+  // from two threads at once on one object: give each thread its own.
   virtual void compute(const ImageView& image, Maps& maps) = 0;
 };
 

@@ -18,7 +18,8 @@ inline constexpr std::size_t conspicuity_count = hls::geometry::conspicuity_maps
 
 // Spec section 6: the order of the feature maps everywhere.
 inline constexpr std::array<std::string_view, feature_count> feature_names = {
-    "intensity_on", "intensity_off", "green", "blue", "red", "yellow", "ori_0", "ori_45", "ori_90", "ori_135"};
+    "intensity_on", "intensity_off", "green",  "blue",   "red",
+    "yellow",       "ori_0",         "ori_45", "ori_90", "ori_135"};
 inline constexpr std::array<std::string_view, conspicuity_count> conspicuity_names = {
     "conspicuity_intensity", "conspicuity_colour", "conspicuity_orientation"};
 
@@ -32,8 +33,8 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-// One map of base-level size. Reference maps hold doubles in the spec's units; those of the fixed-point front ends
-// hold raw integers, worth `lsb` of the spec's units each, in the number format named `format`.
+// One map of base-level size. Reference maps hold doubles in the spec's units; those of the fixed-point front
+// ends hold raw integers, worth `lsb` of the spec's units each, in the number format named `format`.
 struct Map {
   std::variant<Plane<double>, Plane<std::uint16_t>, Plane<std::uint32_t>> samples;
   double lsb = 1;

@@ -1,4 +1,5 @@
-// An image's signature, eq. 6: its salient regions, each with position, saliency and ten-number descriptor (spec 8).
+// An image's signature, eq. 6: its salient regions, each with position, saliency and ten-number descriptor
+// (spec 8).
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@ namespace sailmap {
 using Descriptor = std::array<double, feature_count>;
 
 struct Region {
-  double x = 0;         // level-0 pixels: base position times 4
+  double x = 0;  // level-0 pixels: base position times 4
   double y = 0;
   double saliency = 0;  // S at the region's peak
   Descriptor descriptor{};
@@ -33,9 +34,9 @@ enum class DescriptorKind {
 };
 
 struct RegionConfig {
-  int max_regions = 20;          // 1 ..
-  double stop_ratio = 0.25;      // stop when S <= MSR * stop_ratio; 0 ..  1
-  int box_side = 10;             // region box, base-level pixels; 2 ..
+  int max_regions = 20;      // 1 ..
+  double stop_ratio = 0.25;  // stop when S <= MSR * stop_ratio; 0 ..  1
+  int box_side = 10;         // region box, base-level pixels; 2 ..
   Inhibition inhibition = Inhibition::box;
   double inhibition_radius = 5;  // disk: radius; gaussian: sigma; base-level pixels; > 0
   DescriptorKind descriptor = DescriptorKind::conspicuity;

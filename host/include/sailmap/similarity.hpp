@@ -35,14 +35,16 @@ struct MatchResult {
   std::vector<RegionMatch> matches;  // MR, by query region
 };
 
-// Constraint 1 and nearest descriptor: for each query region the admissible candidate of least distance, if any.
+// Constraint 1 and nearest descriptor: for each query region the admissible candidate of least distance, if
+// any.
 std::vector<RegionMatch> nearest_matches(const Signature& query, const Signature& candidate,
                                          const MatchConfig& config);
 
-// Constraint 2: the largest subset whose displacements agree pairwise within the tolerance; of the largest ones the
-// one with the least sum of distances, then the one first in order.
+// Constraint 2: the largest subset whose displacements agree pairwise within the tolerance; of the largest
+// ones the one with the least sum of distances, then the one first in order.
 std::vector<RegionMatch> consistent_matches(const Signature& query, const Signature& candidate,
-                                            const std::vector<RegionMatch>& matches, const MatchConfig& config);
+                                            const std::vector<RegionMatch>& matches,
+                                            const MatchConfig& config);
 
 // Eq. 7. The images must have the same size, otherwise throws Error.
 MatchResult match(const Signature& query, const Signature& candidate, const MatchConfig& config);

@@ -27,8 +27,8 @@ struct MapConfig {
   int exclude_recent = 20;
   // Strict paper mode is false: a loop closure then only moves the active node.
   bool loop_edges = true;
-  // Sparse map: an image similar to the active node joins it instead of making a node of its own, and one that closes
-  // a loop joins the node it closes with. Dense (the paper): a node is one image.
+  // Sparse map: an image similar to the active node joins it instead of making a node of its own, and one
+  // that closes a loop joins the node it closes with. Dense (the paper): a node is one image.
   bool sparse = false;
   double sparse_threshold = 20;  // similarity above which an image belongs to the active node
 };
@@ -56,7 +56,7 @@ struct Edge {
 struct Update {
   int image = 0;
   std::string name;
-  int node = 0;          // active node afterwards
+  int node = 0;  // active node afterwards
   bool new_node = false;
   Detection detection;
 };
@@ -68,8 +68,8 @@ class TopologicalMap {
   TopologicalMap(MapConfig config, std::vector<Node> nodes, std::vector<Edge> edges,
                  std::vector<Update> history, int active);
 
-  // Compares the image with all admissible nodes and updates the map. Throws Error when the image's size is not that
-  // of the map's images; the map is then unchanged.
+  // Compares the image with all admissible nodes and updates the map. Throws Error when the image's size is
+  // not that of the map's images; the map is then unchanged.
   const Update& add(std::string name, Signature signature);
 
   [[nodiscard]] const MapConfig& config() const { return config_; }

@@ -1,0 +1,150 @@
+#include "config_json.hpp"
+
+#include <string>
+
+#include "sailmap/error.hpp"
+
+namespace sailmap {
+
+using nlohmann::ordered_json;
+
+std::string_view name(Inhibition inhibition) {
+  switch (inhibition) {
+    case Inhibition::box:
+      return "box";
+    case Inhibition::disk:
+      return "disk";
+    case Inhibition::gaussian:
+      return "gaussian";
+  }
+  throw Error("unknown inhibition number " + std::to_string(static_cast<int>(inhibition)));
+}
+
+Inhibition inhibition_from_name(std::string_view text) {
+  for (const Inhibition value : {Inhibition::box, Inhibition::disk, Inhibition::gaussian}) {
+    if (name(value) == text) return value;
+  }
+  throw Error("no inhibition '" + std::string(text) + "'; there are: box, disk, gaussian");
+}
+
+std::string_view name(DescriptorKind kind) {
+  return kind == DescriptorKind::conspicuity ? "conspicuity" : "background";
+}
+
+DescriptorKind descriptor_kind_from_name(std::string_view text) {
+  if (text == "conspicuity") return DescriptorKind::conspicuity;
+  if (text == "background") return DescriptorKind::background;
+  throw Error("no descriptor '" + std::string(text) + "'; there are: conspicuity, background");
+}
+
+ordered_json to_json(const MapConfig& config) {
+  const RegionConfig& r = config.regions;
+  const MatchConfig& m = config.match;
+  const DetectionConfig& d = config.detection;
+  return {{"regions",
+           {{"max_regions", r.max_regions},
+            {"stop_ratio", r.stop_ratio},
+            {"box_side", r.box_side},
+            {"inhibition", name(r.inhibition)},
+            {"inhibition_radius", r.inhibition_radius},
+            {"descriptor", name(r.descriptor)}}},
+          {"match",
+           {{"method", name(m.method)},
+            {"search_radius", m.search_radius},
+            {"displacement_tolerance", m.displacement_tolerance},
+            {"similarity_cap", m.similarity_cap}}},
+          {"detection",
+           {{"threshold", d.threshold},
+            {"min_matches", d.min_matches},
+            {"ambiguity_ratio", d.ambiguity_ratio},
+            {"same_place_nodes", d.same_place_nodes}}},
+          {"exclude_recent", config.exclude_recent},
+          {"loop_edges", config.loop_edges},
+          {"sparse", config.sparse},
+          {"sparse_threshold", config.sparse_threshold}};
+}
+
+MapConfig map_config_from_json(const ordered_json& json) {
+  MapConfig config;
+  const auto& r = json.at("regions");
+  r.at("max_regions").get_to(config.regions.max_regions);
+  r.at("stop_ratio").get_to(config.regions.stop_ratio);
+  r.at("box_side").get_to(config.regions.box_side);
+  config.regions.inhibition = inhibition_from_name(r.at("inhibition").get<std::string>());
+  r.at("inhibition_radius").get_to(config.regions.inhibition_radius);
+  config.regions.descriptor = descriptor_kind_from_name(r.at("descriptor").get<std::string>());
+  const auto& m = json.at("match");
+  config.match.method = method_from_name(m.at("method").get<std::string>());
+  m.at("search_radius").get_to(config.match.search_radius);
+  m.at("displacement_tolerance").get_to(config.match.displacement_tolerance);
+  m.at("similarity_cap").get_to(config.match.similarity_cap);
+  const auto& d = json.at("detection");
+  d.at("threshold").get_to(config.detection.threshold);
+  d.at("min_matches").get_to(config.detection.min_matches);
+  d.at("ambiguity_ratio").get_to(config.detection.ambiguity_ratio);
+  d.at("same_place_nodes").get_to(config.detection.same_place_nodes);
+  json.at("exclude_recent").get_to(config.exclude_recent);
+  json.at("loop_edges").get_to(config.loop_edges);
+  json.at("sparse").get_to(config.sparse);
+  json.at("sparse_threshold").get_to(config.sparse_threshold);
+  return config;
+}
+
+ordered_json to_json(const Signature& signature) {
+  ordered_json regions = ordered_json::array();
+  for (const Region& region : signature.regions) {
+    regions.push_back(
+        {{"x", region.x}, {"y", region.y}, {"saliency", region.saliency}, {"descriptor", region.descriptor}});
+  }
+  return {{"width", signature.width}, {"height", signature.height}, {"regions", std::move(regions)}};
+}
+
+Signature signature_from_json(const ordered_json& json) {
+  Signature signature{json.at("width").get<int>(), json.at("height").get<int>(), {}};
+  for (const auto& region : json.at("regions")) {
+    const auto& descriptor = region.at("descriptor");
+    if (descriptor.size() != feature_count) throw Error("a descriptor has not ten numbers");
+    signature.regions.push_back({region.at("x").get<double>(), region.at("y").get<double>(),
+                                 region.at("saliency").get<double>(), descriptor.get<Descriptor>()});
+  }
+  return signature;
+}
+
+namespace {
+
+ordered_json to_json(const Candidate& candidate) {
+  if (candidate.node < 0) return nullptr;
+  return {{"node", candidate.node}, {"similarity", candidate.similarity}};
+}
+
+Candidate candidate_from_json(const ordered_json& json) {
+  if (json.is_null()) return {};
+  return {json.at("node").get<int>(), json.at("similarity").get<double>()};
+}
+
+}  // namespace
+
+ordered_json to_json(const Detection& detection) {
+  ordered_json matches = ordered_json::array();
+  for (const RegionMatch& m : detection.matches) {
+    matches.push_back({{"query", m.query}, {"candidate", m.candidate}, {"distance", m.distance}});
+  }
+  return {{"reason", name(detection.reason)},
+          {"best", to_json(detection.best)},
+          {"runner_up", to_json(detection.runner_up)},
+          {"matches", std::move(matches)}};
+}
+
+Detection detection_from_json(const ordered_json& json) {
+  Detection detection;
+  detection.reason = reason_from_name(json.at("reason").get<std::string>());
+  detection.best = candidate_from_json(json.at("best"));
+  detection.runner_up = candidate_from_json(json.at("runner_up"));
+  for (const auto& m : json.at("matches")) {
+    detection.matches.push_back(
+        {m.at("query").get<int>(), m.at("candidate").get<int>(), m.at("distance").get<double>()});
+  }
+  return detection;
+}
+
+}  // namespace sailmap

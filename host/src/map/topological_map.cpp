@@ -1,0 +1,140 @@
+// Spec section 11: the map is built image by image.
+#include "sailmap/topological_map.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "sailmap/error.hpp"
+
+namespace sailmap {
+namespace {
+
+// How alike an image is to a node: to the most similar of the node's views.
+MatchResult best_match(const Signature& signature, const Node& node, const MatchConfig& config) {
+  MatchResult best;
+  for (const View& view : node.views) {
+    MatchResult result = match(signature, view.signature, config);
+    if (result.similarity > best.similarity) best = std::move(result);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::string_view name(EdgeKind kind) { return kind == EdgeKind::path ? "path" : "loop"; }
+
+EdgeKind edge_kind_from_name(std::string_view name) {
+  if (name == "path") return EdgeKind::path;
+  if (name == "loop") return EdgeKind::loop;
+  throw Error("no edge kind '" + std::string(name) + "'");
+}
+
+TopologicalMap::TopologicalMap(MapConfig config, std::vector<Node> nodes, std::vector<Edge> edges,
+                               std::vector<Update> history, int active)
+    : config_(config),
+      nodes_(std::move(nodes)),
+      edges_(std::move(edges)),
+      history_(std::move(history)),
+      active_(active) {
+  const auto demand = [](bool holds, const std::string& fault) {
+    if (!holds) throw Error("map contradicts itself: " + fault);
+  };
+  const int count = static_cast<int>(nodes_.size());
+  const auto is_node = [count](int id) { return id >= 0 && id < count; };
+  for (int i = 0; i < count; ++i) {
+    const Node& node = nodes_[static_cast<std::size_t>(i)];
+    demand(node.id == i, "node " + std::to_string(i) + " is numbered " + std::to_string(node.id));
+    demand(!node.views.empty(), "node " + std::to_string(i) + " has no image");
+    for (const View& view : node.views) {
+      demand(view.image >= 0 && view.image < images(),
+             "node " + std::to_string(i) + " has an image that was never added");
+      demand(view.signature.width == nodes_[0].views[0].signature.width &&
+                 view.signature.height == nodes_[0].views[0].signature.height,
+             "images of different size");
+    }
+  }
+  for (const Edge& edge : edges_) {
+    demand(is_node(edge.from) && is_node(edge.to),
+           "edge " + std::to_string(edge.from) + "-" + std::to_string(edge.to) + " leads to no node");
+  }
+  for (const Update& update : history_) {
+    demand(is_node(update.node), "image " + std::to_string(update.image) + " belongs to no node");
+  }
+  demand(count == 0 ? active_ == -1 : is_node(active_), "the active node does not exist");
+}
+
+const Update& TopologicalMap::add(std::string name, Signature signature) {
+  if (!nodes_.empty()) {
+    const Signature& first = nodes_.front().views.front().signature;
+    if (signature.width != first.width || signature.height != first.height) {
+      throw Error(name + ": " + std::to_string(signature.width) + "x" + std::to_string(signature.height) +
+                  " pixels, but the map's images are " + std::to_string(first.width) + "x" +
+                  std::to_string(first.height));
+    }
+  }
+  Update update;
+  update.image = images();
+  update.name = name;
+  const std::vector<Candidate> candidates = compare(signature, update.image);
+  update.detection = decide(candidates, config_.detection, [&](int node) {
+    return best_match(signature, nodes_[static_cast<std::size_t>(node)], config_.match).matches;
+  });
+  if (signature.regions.empty()) {
+    update.detection.reason = Reason::no_regions;
+  } else if (candidates.empty() && !nodes_.empty()) {
+    update.detection.reason = Reason::excluded;
+  }
+
+  View view{update.image, std::move(name), std::move(signature)};
+  if (update.detection.accepted()) {
+    update.node = update.detection.best.node;
+    if (config_.loop_edges && update.node != active_) add_edge(active_, update.node, EdgeKind::loop);
+    if (config_.sparse) nodes_[static_cast<std::size_t>(update.node)].views.push_back(std::move(view));
+  } else if (config_.sparse && belongs_to_active(view.signature)) {
+    update.node = active_;
+    nodes_[static_cast<std::size_t>(active_)].views.push_back(std::move(view));
+  } else {
+    update.node = static_cast<int>(nodes_.size());
+    update.new_node = true;
+    Node node;
+    node.id = update.node;
+    node.views.push_back(std::move(view));
+    nodes_.push_back(std::move(node));
+    if (active_ >= 0) add_edge(active_, update.node, EdgeKind::path);
+  }
+  active_ = update.node;
+  history_.push_back(std::move(update));
+  return history_.back();
+}
+
+int TopologicalMap::loops() const {
+  return static_cast<int>(std::count_if(history_.begin(), history_.end(),
+                                        [](const Update& update) { return update.detection.accepted(); }));
+}
+
+std::vector<Candidate> TopologicalMap::compare(const Signature& signature, int image) const {
+  std::vector<Candidate> candidates;
+  for (const Node& node : nodes_) {
+    // Nodes are numbered by age, so that all that follow are newer still.
+    if (image - node.views.front().image <= config_.exclude_recent) break;
+    candidates.push_back({node.id, best_match(signature, node, config_.match).similarity});
+  }
+  return candidates;
+}
+
+bool TopologicalMap::belongs_to_active(const Signature& signature) const {
+  if (active_ < 0) return false;
+  const Node& node = nodes_[static_cast<std::size_t>(active_)];
+  return best_match(signature, node, config_.match).similarity > config_.sparse_threshold;
+}
+
+void TopologicalMap::add_edge(int from, int to, EdgeKind kind) {
+  const bool known = std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+    return edge.kind == kind &&
+           ((edge.from == from && edge.to == to) || (edge.from == to && edge.to == from));
+  });
+  if (!known) edges_.push_back({from, to, kind});
+}
+
+}  // namespace sailmap
