@@ -127,11 +127,12 @@ constexpr std::uint32_t isqrt(std::uint64_t value) {
   return static_cast<std::uint32_t>(root);
 }
 
-// floor(2^47 / divisor) for a divisor in [2^32, 2^34): bit by bit, 16 bits of quotient.
+// floor(2^48 / divisor) for a divisor in [2^32, 2^34], at most 2^16 - 1: bit by bit, a bit of quotient a
+// turn.
 constexpr std::uint32_t reciprocal(std::uint64_t divisor) {
   std::uint32_t quotient = 0;
   std::uint64_t rest = std::uint64_t{1} << 31;
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 17; ++i) {
     rest <<= 1;
     quotient <<= 1;
     if (rest >= divisor) {
@@ -139,13 +140,12 @@ constexpr std::uint32_t reciprocal(std::uint64_t divisor) {
       quotient |= 1U;
     }
   }
-  return quotient;
+  return quotient > 0xffffU ? 0xffffU : quotient;
 }
 
-// 1 / (max sqrt(m)) of a map as mantissa * 2^-exponent; exponent is such that
-// normalised raw = (map raw * mantissa + half) >> shift. 0 for a flat zero map.
+// 1 / (max sqrt(m)) of a map: normalised raw = (map raw * mantissa) >> shift. 0 for a flat zero map.
 struct Gain {
-  std::uint32_t mantissa;  // formats::gain, at most 2^15
+  std::uint32_t mantissa;  // formats::gain
   int shift;               // 0 to 24
 };
 
@@ -167,18 +167,27 @@ constexpr Gain gain(std::uint32_t maximum, std::uint32_t maxima) {
   return Gain{reciprocal(scaled * root), maximum_place + root_place};
 }
 
-// X~ or C~ of one pixel, value <= maximum. Both normalised formats are the same.
+// X~ or C~ of one pixel, value <= maximum. Both normalised formats are the same, below 1.
 constexpr formats::normalised::native normalise(std::uint32_t value, const Gain& g) {
-  const std::uint32_t half = g.shift > 0 ? std::uint32_t{1} << (g.shift - 1) : 0;
-  return static_cast<formats::normalised::native>((value * g.mantissa + half) >> g.shift);
+  return static_cast<formats::normalised::native>((value * g.mantissa) >> g.shift);
+}
+static_assert(formats::normalised::fraction == formats::normalised_conspicuity::fraction,
+              "one kernel serves both");
+
+// C from the sum of the normalised maps of its kind: two of intensity, four of colour or orientation.
+constexpr formats::intensity_conspicuity::native intensity_conspicuity(std::uint32_t sum) {
+  return requantise<Exactly<17, formats::normalised::fraction>, formats::intensity_conspicuity>(sum);
+}
+constexpr formats::colour_conspicuity::native colour_conspicuity(std::uint32_t sum) {
+  return requantise<Exactly<18, formats::normalised::fraction>, formats::colour_conspicuity>(sum);
+}
+constexpr formats::orientation_conspicuity::native orientation_conspicuity(std::uint32_t sum) {
+  return requantise<Exactly<18, formats::normalised::fraction>, formats::orientation_conspicuity>(sum);
 }
 
-// C from the sum of the normalised maps of its kind, S from the sum of the three normalised C.
-constexpr formats::conspicuity::native conspicuity(std::uint32_t sum) {
-  return requantise<Exactly<18, formats::normalised::fraction>, formats::conspicuity>(sum);
-}
+// S from the sum of the three normalised C.
 constexpr formats::saliency::native saliency(std::uint32_t sum) {
-  return requantise<Exactly<17, formats::normalised_conspicuity::fraction>, formats::saliency>(sum);
+  return requantise<Exactly<18, formats::normalised_conspicuity::fraction>, formats::saliency>(sum);
 }
 
 }  // namespace hls
