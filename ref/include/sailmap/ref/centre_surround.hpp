@@ -14,27 +14,43 @@ struct Contrast {
   Plane<double> off;  // max(0, surround - centre): dark on bright
 };
 
-// Mean of the (2r+1)x(2r+1) window around (x, y) without its centre, edges replicated.
-inline double surround_mean(const Plane<double>& in, int x, int y, int radius) {
-  double sum = 0;
-  for (int dy = -radius; dy <= radius; ++dy) {
-    for (int dx = -radius; dx <= radius; ++dx) sum += in.clamped(x + dx, y + dy);
-  }
-  const int side = 2 * radius + 1;
-  return (sum - in(x, y)) / (side * side - 1);
-}
-
-template <class Policy, class Point>
-Contrast centre_surround(const Plane<double>& in) {
-  Contrast out{Plane<double>(in.width(), in.height()), Plane<double>(in.width(), in.height())};
+// Sum over the (2r+1)x(2r+1) window around each pixel, edges replicated: along the rows, then down the
+// columns.
+inline Plane<double> window_sums(const Plane<double>& in, int radius) {
+  Plane<double> rows(in.width(), in.height());
   for (int y = 0; y < in.height(); ++y) {
     for (int x = 0; x < in.width(); ++x) {
-      for (const int radius : {hls::geometry::surround_radius_small, hls::geometry::surround_radius_large}) {
-        const double difference = in(x, y) - surround_mean(in, x, y, radius);
-        out.on(x, y) += Policy::template at<Point>(std::max(0.0, difference));
-        out.off(x, y) += Policy::template at<Point>(std::max(0.0, -difference));
+      for (int dx = -radius; dx <= radius; ++dx) rows(x, y) += in.clamped(x + dx, y);
+    }
+  }
+  Plane<double> sums(in.width(), in.height());
+  for (int y = 0; y < in.height(); ++y) {
+    for (int dy = -radius; dy <= radius; ++dy) {
+      for (int x = 0; x < in.width(); ++x) sums(x, y) += rows.clamped(x, y + dy);
+    }
+  }
+  return sums;
+}
+
+// side^2 times the centre less the window sum is side^2 - 1 times (centre - surround), the surround being the
+// mean of the window without its centre: 48 and 224 times, and 672 has both as factors.
+template <class Policy, class Point>
+Contrast centre_surround(const Plane<double>& in) {
+  constexpr int common = 672;
+  Contrast out{Plane<double>(in.width(), in.height()), Plane<double>(in.width(), in.height())};
+  for (const int radius : {hls::geometry::surround_radius_small, hls::geometry::surround_radius_large}) {
+    const int area = (2 * radius + 1) * (2 * radius + 1);
+    const Plane<double> sums = window_sums(in, radius);
+    for (int y = 0; y < in.height(); ++y) {
+      for (int x = 0; x < in.width(); ++x) {
+        const double difference = (area * in(x, y) - sums(x, y)) * (common / (area - 1));
+        out.on(x, y) += std::max(0.0, difference);
+        out.off(x, y) += std::max(0.0, -difference);
       }
     }
+  }
+  for (Plane<double>* map : {&out.on, &out.off}) {
+    for (double& v : map->samples()) v = Policy::template at<Point>(v / Policy::contrast_divisor);
   }
   return out;
 }

@@ -35,13 +35,14 @@ inline bool is_local_maximum(const Plane<double>& map, int x, int y) {
          not_below(x + 1, y) && not_below(x - 1, y + 1) && not_below(x, y + 1) && not_below(x + 1, y + 1);
 }
 
-inline MapStatistics statistics(const Plane<double>& map) {
-  MapStatistics out;
-  for (const double v : map.samples()) out.maximum = std::max(out.maximum, v);
-  if (out.maximum <= 0) return out;
+// `tie`, of the policy: values this close may be equal but for rounding, so a map no higher is flat.
+inline MapStatistics statistics(const Plane<double>& map, double tie) {
+  const double maximum = std::ranges::max(map.samples());
+  if (maximum <= tie) return {};
+  MapStatistics out{maximum, 0};
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
-      if (2 * map(x, y) > out.maximum && is_local_maximum(map, x, y)) ++out.maxima;
+      if (2 * map(x, y) > maximum + tie && is_local_maximum(map, x, y)) ++out.maxima;
     }
   }
   return out;
@@ -50,7 +51,7 @@ inline MapStatistics statistics(const Plane<double>& map) {
 // X~ = X / (max(X) sqrt(m)).
 template <class Policy, class Point>
 Plane<double> normalise(const Plane<double>& map, const MapStatistics& stats) {
-  const double gain = stats.gain();
+  const double gain = Policy::gain(stats.maximum, stats.maxima);
   Plane<double> out(map.width(), map.height());
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) out(x, y) = Policy::template at<Point>(map(x, y) * gain);
