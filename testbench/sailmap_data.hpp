@@ -16,8 +16,7 @@ inline std::filesystem::path data_folder() {
 }  // namespace sailmap::testing
 
 // In a test body: skips, saying why, when `name` (a folder or file of the data) is not there.
-#define SAILMAP_NEEDS_DATA(name)                                              \
-  if (!std::filesystem::exists(sailmap::testing::data_folder() / (name))) {   \
-    GTEST_SKIP() << "no " << (name) << " in " << sailmap::testing::data_folder() \
-                 << "; set SAILMAP_DATA";                                     \
+#define SAILMAP_NEEDS_DATA(name)                                                                          \
+  if (!std::filesystem::exists(sailmap::testing::data_folder() / (name))) {                               \
+    GTEST_SKIP() << "no " << (name) << " in " << sailmap::testing::data_folder() << "; set SAILMAP_DATA"; \
   }

@@ -22,8 +22,12 @@ enum class Reason {
 std::string_view name(Reason reason);
 Reason reason_from_name(std::string_view name);  // throws Error
 
+// The threshold that fits a method's scale: the paper's 20 for `paper`; for `paper_weighted`, whose
+// similarities are smaller, one measured on real sequences (docs/decisions.md).
+double default_threshold(Method method);
+
 struct DetectionConfig {
-  double threshold = 20;  // Th_LCD, in the paper's scale
+  double threshold = 20;  // Th_LCD, in the scale of the method `paper`; see default_threshold
   int min_matches = 1;    // least |MR| for a loop closure
   // A rival at another place at least this part of the best similarity makes the detection ambiguous; above
   // 1: never (the paper).

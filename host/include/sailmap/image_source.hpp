@@ -19,6 +19,11 @@ struct Frame {
 
 class ImageSource {
  public:
+  ImageSource() = default;
+  ImageSource(const ImageSource&) = delete;
+  ImageSource& operator=(const ImageSource&) = delete;
+  ImageSource(ImageSource&&) = delete;
+  ImageSource& operator=(ImageSource&&) = delete;
   virtual ~ImageSource() = default;
   // The next frame, or nothing at the end. Throws Error, naming the image, when one cannot be read.
   virtual std::optional<Frame> next() = 0;

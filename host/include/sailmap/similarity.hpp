@@ -40,8 +40,8 @@ struct MatchResult {
 std::vector<RegionMatch> nearest_matches(const Signature& query, const Signature& candidate,
                                          const MatchConfig& config);
 
-// Constraint 2: the largest subset whose displacements agree pairwise within the tolerance; of the largest
-// ones the one with the least sum of distances, then the one first in order.
+// Constraint 2: the largest subset of one displacement: those whose displacement (candidate - query) agrees,
+// within the tolerance, with that of one of them, the one that most agree with (the first in order on ties).
 std::vector<RegionMatch> consistent_matches(const Signature& query, const Signature& candidate,
                                             const std::vector<RegionMatch>& matches,
                                             const MatchConfig& config);

@@ -42,6 +42,8 @@ Reason reason_from_name(std::string_view name) {
   throw Error("no reason '" + std::string(name) + "'");
 }
 
+double default_threshold(Method method) { return method == Method::paper ? DetectionConfig{}.threshold : 3; }
+
 Detection decide(const std::vector<Candidate>& candidates, const DetectionConfig& config,
                  const std::function<std::vector<RegionMatch>(int node)>& matches_with) {
   Detection out;

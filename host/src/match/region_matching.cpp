@@ -1,10 +1,8 @@
 // Spec section 10: which regions of two images are the same, under both geometric constraints.
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 
-#include "sailmap/error.hpp"
 #include "sailmap/similarity.hpp"
 
 namespace sailmap {
@@ -22,76 +20,17 @@ struct Displacement {
   double dx, dy;
 };
 
-// Members of a set as bits; as many words as the matches need.
-using Bits = std::vector<std::uint64_t>;
-
-bool test(const Bits& bits, std::size_t i) { return ((bits[i / 64] >> (i % 64)) & 1U) != 0; }
-void set(Bits& bits, std::size_t i) { bits[i / 64] |= std::uint64_t{1} << (i % 64); }
-void clear(Bits& bits, std::size_t i) { bits[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
-
-int count(const Bits& bits) {
-  int total = 0;
-  for (const std::uint64_t word : bits) total += std::popcount(word);
-  return total;
+bool agree(const Displacement& a, const Displacement& b, double tolerance) {
+  const double dx = a.dx - b.dx;
+  const double dy = a.dy - b.dy;
+  return dx * dx + dy * dy <= tolerance * tolerance;
 }
 
-// Exact search for the largest set of pairwise agreeing matches (a maximum clique), branch and bound. Matches
-// are tried in order, so that of equally good sets the first is kept.
-class LargestAgreement {
- public:
-  LargestAgreement(const std::vector<RegionMatch>& matches, const std::vector<Displacement>& displacements,
-                   double tolerance)
-      : matches_(matches), words_((matches.size() + 63) / 64), agrees_(matches.size(), Bits(words_)) {
-    for (std::size_t a = 0; a < matches.size(); ++a) {
-      for (std::size_t b = 0; b < matches.size(); ++b) {
-        const double dx = displacements[a].dx - displacements[b].dx;
-        const double dy = displacements[a].dy - displacements[b].dy;
-        if (a != b && dx * dx + dy * dy <= tolerance * tolerance) set(agrees_[a], b);
-      }
-    }
-  }
-
-  std::vector<RegionMatch> find() {
-    Bits all(words_);
-    for (std::size_t i = 0; i < matches_.size(); ++i) set(all, i);
-    extend(all, 0, 0);
-    std::vector<RegionMatch> out;
-    for (const std::size_t i : best_) out.push_back(matches_[i]);
-    return out;
-  }
-
- private:
-  void extend(Bits candidates, std::size_t first, double distance) {
-    keep_if_better(distance);
-    for (std::size_t i = first; i < matches_.size(); ++i) {
-      if (!test(candidates, i)) continue;
-      const std::size_t reachable = chosen_.size() + static_cast<std::size_t>(count(candidates));
-      if (reachable < best_.size()) return;
-      // Equal size can only win by a smaller sum of distances.
-      if (reachable == best_.size() && distance >= best_distance_) return;
-      Bits narrowed = candidates;
-      for (std::size_t w = 0; w < words_; ++w) narrowed[w] &= agrees_[i][w];
-      chosen_.push_back(i);
-      extend(std::move(narrowed), i + 1, distance + matches_[i].distance);
-      chosen_.pop_back();
-      clear(candidates, i);
-    }
-  }
-
-  void keep_if_better(double distance) {
-    if (chosen_.size() > best_.size() || (chosen_.size() == best_.size() && distance < best_distance_)) {
-      best_ = chosen_;
-      best_distance_ = distance;
-    }
-  }
-
-  const std::vector<RegionMatch>& matches_;
-  std::size_t words_;
-  std::vector<Bits> agrees_;
-  std::vector<std::size_t> chosen_;
-  std::vector<std::size_t> best_;
-  double best_distance_ = 0;
-};
+// How many displacements agree with this one, itself included.
+std::ptrdiff_t supporters(const std::vector<Displacement>& all, const Displacement& of, double tolerance) {
+  return std::count_if(all.begin(), all.end(),
+                       [&](const Displacement& d) { return agree(d, of, tolerance); });
+}
 
 }  // namespace
 
@@ -128,7 +67,20 @@ std::vector<RegionMatch> consistent_matches(const Signature& query, const Signat
     displacements.push_back({to.x - from.x, to.y - from.y});
   }
   const double tolerance = config.displacement_tolerance * diagonal(query);
-  return LargestAgreement(matches, displacements, tolerance).find();
+  const Displacement* common = nullptr;
+  std::ptrdiff_t most = 0;
+  for (const Displacement& displacement : displacements) {
+    const std::ptrdiff_t support = supporters(displacements, displacement, tolerance);
+    if (support > most) {
+      most = support;
+      common = &displacement;
+    }
+  }
+  std::vector<RegionMatch> consistent;
+  for (std::size_t k = 0; k < matches.size(); ++k) {
+    if (agree(displacements[k], *common, tolerance)) consistent.push_back(matches[k]);
+  }
+  return consistent;
 }
 
 }  // namespace sailmap

@@ -1,0 +1,11 @@
+# What the host library, the program and the tests are built on: all of it Debian packages (scripts/setup).
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs videoio)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(TBB REQUIRED)
+find_package(Boost REQUIRED COMPONENTS iostreams system filesystem)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(matio REQUIRED IMPORTED_TARGET matio)
+pkg_check_modules(geographiclib REQUIRED IMPORTED_TARGET geographiclib)
+pkg_check_modules(pugixml REQUIRED IMPORTED_TARGET pugixml)

@@ -1,0 +1,27 @@
+#include "describe_image.hpp"
+
+#include <utility>
+
+#include "sailmap/error.hpp"
+#include "sailmap/image_source.hpp"
+
+namespace sailmap::app {
+
+DescribedImage describe_image(std::string name, cv::Mat image, Frontend& frontend,
+                              const RegionConfig& regions) {
+  DescribedImage out;
+  out.image = std::move(image);
+  try {
+    frontend.compute(view_of(out.image), out.maps);
+  } catch (const Error& fault) {
+    throw Error(std::move(name) + ": " + fault.what());
+  }
+  out.signature = make_signature(out.maps, regions);
+  return out;
+}
+
+DescribedImage describe_image(const std::string& path, Frontend& frontend, const RegionConfig& regions) {
+  return describe_image(path, read_image(path), frontend, regions);
+}
+
+}  // namespace sailmap::app

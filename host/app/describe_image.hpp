@@ -1,0 +1,23 @@
+// An image file, read and described, with its name in whatever goes wrong.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+#include "sailmap/frontend.hpp"
+#include "sailmap/signature.hpp"
+
+namespace sailmap::app {
+
+struct DescribedImage {
+  cv::Mat image;
+  Maps maps;
+  Signature signature;
+};
+
+// `name` is for messages. Throws Error that names the image.
+DescribedImage describe_image(std::string name, cv::Mat image, Frontend& frontend,
+                              const RegionConfig& regions);
+DescribedImage describe_image(const std::string& path, Frontend& frontend, const RegionConfig& regions);
+
+}  // namespace sailmap::app

@@ -1,0 +1,163 @@
+#include "options.hpp"
+
+#include <fmt/format.h>
+
+#include "map/config_json.hpp"
+#include "sailmap/frontend.hpp"
+
+namespace sailmap::app {
+namespace {
+
+constexpr const char* regions_group = "Regions (spec 8)";
+constexpr const char* match_group = "Matching (spec 10)";
+constexpr const char* detection_group = "Detection (spec 11)";
+constexpr const char* map_group = "Map (spec 11)";
+
+template <class Enum>
+std::map<std::string, Enum> by_name(std::initializer_list<Enum> values) {
+  std::map<std::string, Enum> out;
+  for (const Enum value : values) out.emplace(name(value), value);
+  return out;
+}
+
+// An option that takes one of the names of an enumeration and shows its default by name.
+template <class Enum>
+CLI::Option* add_choice(CLI::App& command, const std::string& flag, Enum& value, const std::string& help,
+                        std::initializer_list<Enum> values) {
+  const auto names = by_name(values);
+  std::string list;
+  for (const auto& [text, unused] : names) list += (list.empty() ? "" : "|") + text;
+  return command.add_option(flag, value, help)
+      ->transform(CLI::CheckedTransformer(names).description(""))
+      ->default_str(std::string(name(value)))
+      ->type_name(list);
+}
+
+void merge(OptionKeys& into, OptionKeys other) { into.merge(std::move(other)); }
+
+}  // namespace
+
+void add_frontend_option(CLI::App& command, std::string& frontend) {
+  frontend = frontend_names().front();
+  command.add_option("--frontend", frontend, "What computes the maps")
+      ->check(CLI::IsMember(frontend_names()).description(""))
+      ->capture_default_str()
+      ->type_name("NAME");
+}
+
+OptionKeys add_region_options(CLI::App& command, RegionConfig& config) {
+  OptionKeys keys;
+  keys["/regions/max_regions"] =
+      command.add_option("--max-regions", config.max_regions, "At most so many regions an image")
+          ->check(CLI::Range(1, 1000).description(""));
+  keys["/regions/stop_ratio"] = command
+                                    .add_option("--stop-ratio", config.stop_ratio,
+                                                "Stop at this part of the strongest saliency (paper: 1/4)")
+                                    ->check(CLI::Range(0.0, 1.0).description(""));
+  keys["/regions/box_side"] =
+      command.add_option("--box-side", config.box_side, "Side of a region, base-level pixels")
+          ->check(CLI::Range(2, 1000).description(""));
+  keys["/regions/inhibition"] =
+      add_choice(command, "--inhibition", config.inhibition, "Shape of inhibition of return",
+                 {Inhibition::box, Inhibition::disk, Inhibition::gaussian});
+  keys["/regions/inhibition_radius"] =
+      command
+          .add_option("--inhibition-radius", config.inhibition_radius,
+                      "Radius of the disk, sigma of the Gaussian, base-level pixels")
+          ->check(CLI::PositiveNumber.description(""));
+  keys["/regions/descriptor"] =
+      add_choice(command, "--descriptor", config.descriptor, "Descriptor: eq. 3-4 or eq. 5 of the paper",
+                 {DescriptorKind::conspicuity, DescriptorKind::background});
+  for (const auto& [key, option] : keys) option->group(regions_group);
+  for (const char* key :
+       {"/regions/max_regions", "/regions/stop_ratio", "/regions/box_side", "/regions/inhibition_radius"}) {
+    keys[key]->capture_default_str();
+  }
+  return keys;
+}
+
+OptionKeys add_match_options(CLI::App& command, MatchConfig& config) {
+  OptionKeys keys;
+  keys["/match/method"] =
+      add_choice(command, "--method", config.method, "Similarity", {Method::paper, Method::paper_weighted});
+  keys["/match/search_radius"] =
+      command
+          .add_option("--search-radius", config.search_radius,
+                      "Constraint 1: matched regions are nearer than this part of the diagonal")
+          ->check(CLI::PositiveNumber.description(""))
+          ->capture_default_str();
+  keys["/match/displacement_tolerance"] =
+      command
+          .add_option("--displacement-tolerance", config.displacement_tolerance,
+                      "Constraint 2: displacements agree within this part of the diagonal")
+          ->check(CLI::NonNegativeNumber.description(""))
+          ->capture_default_str();
+  for (const auto& [key, option] : keys) option->group(match_group);
+  return keys;
+}
+
+CLI::Option* add_threshold_option(CLI::App& command, double& threshold) {
+  std::string defaults;
+  for (const std::string_view method : method_names()) {
+    defaults += fmt::format("{}{:g} for {}", defaults.empty() ? "" : ", ",
+                            default_threshold(method_from_name(method)), method);
+  }
+  return command
+      .add_option("--threshold", threshold,
+                  "Similarity above which it is the same place (Th_LCD); default " + defaults)
+      ->group(detection_group);
+}
+
+void settle_thresholds(const CLI::App& command, MapConfig& config) {
+  const double threshold = default_threshold(config.match.method);
+  if (command.get_option("--threshold")->count() == 0) config.detection.threshold = threshold;
+  const CLI::Option* sparse = command.get_option_no_throw("--sparse-threshold");
+  if (sparse == nullptr || sparse->count() == 0) config.sparse_threshold = threshold;
+}
+
+OptionKeys add_detection_options(CLI::App& command, DetectionConfig& config) {
+  OptionKeys keys;
+  keys["/detection/threshold"] = add_threshold_option(command, config.threshold);
+  keys["/detection/min_matches"] =
+      command.add_option("--min-matches", config.min_matches, "Fewest matched regions for a loop closure")
+          ->check(CLI::NonNegativeNumber.description(""));
+  keys["/detection/ambiguity_ratio"] =
+      command
+          .add_option("--ambiguity-ratio", config.ambiguity_ratio,
+                      "Refuse when another place reaches this part of the best similarity; above 1: never")
+          ->check(CLI::PositiveNumber.description(""));
+  keys["/detection/same_place_nodes"] =
+      command
+          .add_option("--same-place-nodes", config.same_place_nodes,
+                      "Nodes so near in number to the best are no other place")
+          ->check(CLI::NonNegativeNumber.description(""));
+  for (const auto& [key, option] : keys) {
+    option->group(detection_group);
+    if (key != "/detection/threshold") option->capture_default_str();
+  }
+  return keys;
+}
+
+OptionKeys add_map_options(CLI::App& command, MapConfig& config) {
+  OptionKeys keys;
+  keys["/exclude_recent"] = command
+                                .add_option("--exclude-recent", config.exclude_recent,
+                                            "Do not compare with nodes made by so many newest images")
+                                ->check(CLI::NonNegativeNumber.description(""))
+                                ->capture_default_str();
+  keys["/loop_edges"] =
+      command.add_flag("!--no-loop-edges", config.loop_edges, "Strict paper mode: a loop makes no edge");
+  keys["/sparse"] =
+      command.add_flag("--sparse", config.sparse, "One node for a group of images of one place");
+  keys["/sparse_threshold"] =
+      command.add_option("--sparse-threshold", config.sparse_threshold,
+                         "Similarity above which an image joins the active node of a sparse map; default as "
+                         "--threshold");
+  for (const auto& [key, option] : keys) option->group(map_group);
+  merge(keys, add_region_options(command, config.regions));
+  merge(keys, add_match_options(command, config.match));
+  merge(keys, add_detection_options(command, config.detection));
+  return keys;
+}
+
+}  // namespace sailmap::app

@@ -1,0 +1,27 @@
+// Options that several subcommands share. Defaults in the help come from the configuration structs
+// themselves.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+
+#include "sailmap/topological_map.hpp"
+
+namespace sailmap::app {
+
+// Options by the JSON pointer of the configuration value they set ("/match/method").
+using OptionKeys = std::map<std::string, CLI::Option*>;
+
+void add_frontend_option(CLI::App& command, std::string& frontend);
+OptionKeys add_region_options(CLI::App& command, RegionConfig& config);
+OptionKeys add_match_options(CLI::App& command, MatchConfig& config);
+CLI::Option* add_threshold_option(CLI::App& command, double& threshold);
+// Thresholds that the command line did not set become those of the method. To be called when all is parsed.
+void settle_thresholds(const CLI::App& command, MapConfig& config);
+// --threshold and what else decides a detection.
+OptionKeys add_detection_options(CLI::App& command, DetectionConfig& config);
+// All of the above and those of the map itself.
+OptionKeys add_map_options(CLI::App& command, MapConfig& config);
+
+}  // namespace sailmap::app
