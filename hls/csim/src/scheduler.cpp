@@ -1,8 +1,8 @@
 #include "sailmap/csim/scheduler.hpp"
 
+#include <algorithm>
 #include <boost/context/fiber.hpp>
 #include <boost/context/fixedsize_stack.hpp>
-#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -81,7 +81,8 @@ Scheduler::~Scheduler() {
 }
 
 Scheduler& Scheduler::current() {
-  if (current_of_thread() == nullptr) throw std::logic_error("a stage or FIFO is used without a csim::Scheduler");
+  if (current_of_thread() == nullptr)
+    throw std::logic_error("a stage or FIFO is used without a csim::Scheduler");
   return *current_of_thread();
 }
 
@@ -132,8 +133,8 @@ void Scheduler::resume(Task& task) {
 
 void Scheduler::suspend() { running_->suspend(); }
 
-// Each task that hangs waits for the task at the other end of one FIFO. Following these waits from any task leads into a
-// circle, which is the fault, or to a task whose partner has ended.
+// Each task that hangs waits for the task at the other end of one FIFO. Following these waits from any task
+// leads into a circle, which is the fault, or to a task whose partner has ended.
 std::vector<const Task*> Scheduler::circle_from(const Task& start) const {
   std::vector<const Task*> path = {&start};
   while (true) {
@@ -201,7 +202,8 @@ void Fifo::bind(Task*& end, const char* role) {
   if (task == nullptr) throw std::logic_error("FIFO '" + name_ + "' is used outside a stage");
   connect(scheduler, *task);
   if (end != nullptr) {
-    throw NetworkError("FIFO '" + name_ + "' has a second " + role + ": " + end->name() + " and " + task->name());
+    throw NetworkError("FIFO '" + name_ + "' has a second " + role + ": " + end->name() + " and " +
+                       task->name());
   }
   end = task;
 }
@@ -232,7 +234,8 @@ std::string Fifo::state() const {
     if (user != nullptr && user->ended()) others += ", " + user->name() + " has ended";
   }
   if (users_[1] == nullptr) others += ", with one end only";
-  return "'" + name_ + "' (" + filling + ", " + std::to_string(count_) + " of " + std::to_string(depth_) + others + ")";
+  return "'" + name_ + "' (" + filling + ", " + std::to_string(count_) + " of " + std::to_string(depth_) +
+         others + ")";
 }
 
 }  // namespace sailmap::csim

@@ -1,9 +1,10 @@
 // Across scales, spec section 6: the coarser sum, interpolated, plus the maps of this level.
 //
-// Streams: Count maps as lanes. In: `coarse`, level `Level` + 1 (its sum so far), and `fine`, level `Level`; out: level
-// `Level`, all in raster order. Formats: level 4 and 3 maps to the partial sum, the partial sum and level 2 maps to
-// the feature; the three kinds alike. Latency: row y of the output needs row ceil(y/2) of `coarse`, and the next coarse
-// column; coarse row 0 is read before anything else. II 1 a fine pixel. `Kind` tells the instances apart. Maximum error: half a unit of the output.
+// Streams: Count maps as lanes. In: `coarse`, level `Level` + 1 (its sum so far), and `fine`, level `Level`;
+// out: level `Level`, all in raster order. Formats: level 4 and 3 maps to the partial sum, the partial sum
+// and level 2 maps to the feature; the three kinds alike. Latency: row y of the output needs row ceil(y/2) of
+// `coarse`, and the next coarse column; coarse row 0 is read before anything else. II 1 a fine pixel. `Kind`
+// tells the instances apart. Maximum error: half a unit of the output.
 #pragma once
 
 #include "sailmap/hls/arithmetic.hpp"
@@ -34,7 +35,8 @@ inline void sum_lanes(const Lanes<1, uint32_t>& a, const Lanes<1, uint32_t>& b, 
   out.first = a.first + b.first;
 }
 template <int Count>
-inline void sum_lanes(const Lanes<Count, uint32_t>& a, const Lanes<Count, uint32_t>& b, Lanes<Count, uint32_t>& out) {
+inline void sum_lanes(const Lanes<Count, uint32_t>& a, const Lanes<Count, uint32_t>& b,
+                      Lanes<Count, uint32_t>& out) {
   out.first = a.first + b.first;
   sum_lanes(a.rest, b.rest, out.rest);
 }
@@ -45,7 +47,8 @@ inline uint16_t scale_sum(uint32_t four, uint32_t fine) {
   return Level + 1 == geometry::top_level ? partial_sum(four, fine) : feature_sum(four, fine);
 }
 template <int Level>
-inline void scale_sums(const Lanes<1, uint32_t>& four, const Lanes<1, uint32_t>& fine, Lanes<1, uint32_t>& out) {
+inline void scale_sums(const Lanes<1, uint32_t>& four, const Lanes<1, uint32_t>& fine,
+                       Lanes<1, uint32_t>& out) {
   out.first = scale_sum<Level>(four.first, fine.first);
 }
 template <int Level, int Count>
@@ -67,8 +70,8 @@ inline lanes_t<Count> scale_pixel(const Lanes<Count, uint32_t>& left, const Lane
 }
 
 template <class Config, int Level, int Count, int Kind>
-void across_scales(stream<lanes_t<Count> >& coarse, stream<lanes_t<Count> >& fine, stream<lanes_t<Count> >& out,
-                   uint16_t width, uint16_t height) {
+void across_scales(stream<lanes_t<Count> >& coarse, stream<lanes_t<Count> >& fine,
+                   stream<lanes_t<Count> >& out, uint16_t width, uint16_t height) {
   static_assert(geometry::map_levels == 3, "one partial sum, then the feature");
   lanes_t<Count>* const memory = CoarseRow<Config, Level, Count, Kind>::words;
   const int w = geometry::level_side(width, Level);

@@ -1,13 +1,14 @@
 // Centre-surround contrast, spec section 4: centre against the means of the 7x7 and the 15x15 window.
 //
-// Streams, level `Level`, one pixel a word, raster order. In: intensity; green, blue, red, yellow as lanes. Out:
-// intensity on and off as lanes; the four colours' on as lanes. Formats: intensity, colour in; intensity_contrast,
-// colour_contrast out. Latency: 7 rows and 7 columns. II 1. Rows stand alone: a row takes 7 words of flushing.
-// Maximum error against the exact contrast of the same samples: half a unit of the output.
+// Streams, level `Level`, one pixel a word, raster order. In: intensity; green, blue, red, yellow as lanes.
+// Out: intensity on and off as lanes; the four colours' on as lanes. Formats: intensity, colour in;
+// intensity_contrast, colour_contrast out. Latency: 7 rows and 7 columns. II 1. Rows stand alone: a row takes
+// 7 words of flushing. Maximum error against the exact contrast of the same samples: half a unit of the
+// output.
 //
-// Box sums run: a column's sum takes in one pixel and lets one go a row, a window's sum one column sum a column. The
-// pixels that enter and leave are those of the newest row and of 4, 7 (the centre), 11 and 15 rows before it; one row
-// memory after the other holds them, each with one load and one store a pixel.
+// Box sums run: a column's sum takes in one pixel and lets one go a row, a window's sum one column sum a
+// column. The pixels that enter and leave are those of the newest row and of 4, 7 (the centre), 11 and 15
+// rows before it; one row memory after the other holds them, each with one load and one store a pixel.
 #pragma once
 
 #include "sailmap/hls/arithmetic.hpp"
@@ -21,7 +22,8 @@ namespace hls {
 
 constexpr int small_side = 2 * geometry::surround_radius_small + 1;
 constexpr int large_side = 2 * geometry::surround_radius_large + 1;
-// From the newest row or column: to where the small window begins, to the centre, to behind the small and large window.
+// From the newest row or column: to where the small window begins, to the centre, to behind the small and
+// large window.
 constexpr int to_small = geometry::surround_radius_large - geometry::surround_radius_small;
 constexpr int to_centre = geometry::surround_radius_small;  // from where the small window begins
 constexpr int to_end = geometry::surround_radius_small + 1;
@@ -49,7 +51,7 @@ uint64_t BoxColumns<Stage, Channel>::sums[Stage::columns];
 
 // Where each row memory is; the offsets are those of a slot's first word.
 struct RowSlots {
-  int row;            // 0 is the first row of the frame, `height` and on are its last one again
+  int row;  // 0 is the first row of the frame, `height` and on are its last one again
   int width;
   int first;          // to_small rows
   int first_before;   // the slot of the row before
@@ -81,8 +83,8 @@ struct ColumnTaps {
   Word newest, small_in, centre, small_out, large_out;
 };
 
-// Before the frame stands its first row, over and over: the first memory still has it in slot 0 when it is needed, and
-// what a later memory is given in its first rows is that row already.
+// Before the frame stands its first row, over and over: the first memory still has it in slot 0 when it is
+// needed, and what a later memory is given in its first rows is that row already.
 template <class Stage, class Word>
 inline ColumnTaps<Word> column_taps(Word read, bool beyond, int x, const RowSlots& slots) {
   Word* const first = RowMemory<Stage, 1, Word, to_small>::words;
@@ -113,8 +115,8 @@ struct BoxColumn {
 };
 
 template <class Stage, int Channel>
-inline BoxColumn box_column(int x, bool first_row, uint16_t newest, uint16_t small_in, uint16_t centre, uint16_t small_out,
-                            uint16_t large_out) {
+inline BoxColumn box_column(int x, bool first_row, uint16_t newest, uint16_t small_in, uint16_t centre,
+                            uint16_t small_out, uint16_t large_out) {
   uint64_t* const sums = BoxColumns<Stage, Channel>::sums;
   const uint64_t before = sums[x];
   BoxColumn out;
@@ -166,8 +168,12 @@ struct BoxWindow {
       advance(column);
     }
   }
-  uint16_t on() const { return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), 1); }
-  uint16_t off() const { return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), -1); }
+  uint16_t on() const {
+    return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), 1);
+  }
+  uint16_t off() const {
+    return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), -1);
+  }
 };
 
 template <class Config, int Level>

@@ -1,8 +1,9 @@
 // Channels, spec section 2: intensity and the four broadly tuned colours of each pixel.
 //
-// Streams in: red, green and blue, Count = 1, 2 or 4 bytes a word, raster order. Out: words of Count pixels of intensity
-// (format grey_sum), green, blue, red and yellow (format colour); for Count = 1 the colours are lanes of one word.
-// Latency 0. II 1. Maximum error against the exact model: intensity none; colours `colour_error`.
+// Streams in: red, green and blue, Count = 1, 2 or 4 bytes a word, raster order. Out: words of Count pixels
+// of intensity (format grey_sum), green, blue, red and yellow (format colour); for Count = 1 the colours are
+// lanes of one word. Latency 0. II 1. Maximum error against the exact model: intensity none; colours
+// `colour_error`.
 #pragma once
 
 #include <utility>
@@ -47,8 +48,8 @@ inline ChannelPixel channel_pixel(uint8_t red, uint8_t green, uint8_t blue) {
 }
 
 template <class Config>
-void channels_1(stream<uint8_t>& red, stream<uint8_t>& green, stream<uint8_t>& blue, stream<uint16_t>& intensity,
-                stream<uint64_t>& colours, uint16_t width, uint16_t height) {
+void channels_1(stream<uint8_t>& red, stream<uint8_t>& green, stream<uint8_t>& blue,
+                stream<uint16_t>& intensity, stream<uint64_t>& colours, uint16_t width, uint16_t height) {
   const int words = width * height;
 #pragma nounroll
   for (int i = 0; i < words; ++i) {
@@ -63,9 +64,9 @@ void channels_1(stream<uint8_t>& red, stream<uint8_t>& green, stream<uint8_t>& b
 }
 
 template <class Config>
-void channels_2(stream<uint16_t>& red, stream<uint16_t>& green, stream<uint16_t>& blue, stream<uint32_t>& intensity_out,
-                stream<uint32_t>& green_out, stream<uint32_t>& blue_out, stream<uint32_t>& red_out,
-                stream<uint32_t>& yellow_out, uint16_t width, uint16_t height) {
+void channels_2(stream<uint16_t>& red, stream<uint16_t>& green, stream<uint16_t>& blue,
+                stream<uint32_t>& intensity_out, stream<uint32_t>& green_out, stream<uint32_t>& blue_out,
+                stream<uint32_t>& red_out, stream<uint32_t>& yellow_out, uint16_t width, uint16_t height) {
   const int words = width / 2 * height;
 #pragma nounroll
   for (int i = 0; i < words; ++i) {
@@ -85,9 +86,9 @@ void channels_2(stream<uint16_t>& red, stream<uint16_t>& green, stream<uint16_t>
 
 // `Beat` pixels arrive a beat, of which this stage sees four: with Beat = 8 there are two of it, Id 0 and 1.
 template <class Config, int Id>
-void channels_4(stream<uint32_t>& red, stream<uint32_t>& green, stream<uint32_t>& blue, stream<uint64_t>& intensity_out,
-                stream<uint64_t>& green_out, stream<uint64_t>& blue_out, stream<uint64_t>& red_out,
-                stream<uint64_t>& yellow_out, uint16_t width, uint16_t height) {
+void channels_4(stream<uint32_t>& red, stream<uint32_t>& green, stream<uint32_t>& blue,
+                stream<uint64_t>& intensity_out, stream<uint64_t>& green_out, stream<uint64_t>& blue_out,
+                stream<uint64_t>& red_out, stream<uint64_t>& yellow_out, uint16_t width, uint16_t height) {
   const int words = width / Config::beat * height;
 #pragma nounroll
   for (int i = 0; i < words; ++i) {
@@ -109,9 +110,10 @@ void channels_4(stream<uint32_t>& red, stream<uint32_t>& green, stream<uint32_t>
 
 // Eight pixels a beat to the left and the right four.
 template <class Config>
-void split_beats(stream<uint64_t>& red, stream<uint64_t>& green, stream<uint64_t>& blue, stream<uint32_t>& red_left,
-                 stream<uint32_t>& green_left, stream<uint32_t>& blue_left, stream<uint32_t>& red_right,
-                 stream<uint32_t>& green_right, stream<uint32_t>& blue_right, uint16_t width, uint16_t height) {
+void split_beats(stream<uint64_t>& red, stream<uint64_t>& green, stream<uint64_t>& blue,
+                 stream<uint32_t>& red_left, stream<uint32_t>& green_left, stream<uint32_t>& blue_left,
+                 stream<uint32_t>& red_right, stream<uint32_t>& green_right, stream<uint32_t>& blue_right,
+                 uint16_t width, uint16_t height) {
   const int words = width / 8 * height;
 #pragma nounroll
   for (int i = 0; i < words; ++i) {

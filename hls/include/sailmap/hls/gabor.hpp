@@ -1,12 +1,13 @@
 // Orientation, spec section 5: Gabor energy of the intensity at 0, 45, 90 and 135 degrees.
 //
-// Streams, level `Level`, one pixel a word, raster order. In: intensity. Out: the four energies as lanes. Formats:
-// intensity in; gabor_column between the passes; gabor_energy out. Latency: 4 rows and 4 columns. II 1. Rows stand
-// alone: a row takes 4 words of flushing.
-// Maximum error: see accuracy constants in error_bounds.hpp.
+// Streams, level `Level`, one pixel a word, raster order. In: intensity. Out: the four energies as lanes.
+// Formats: intensity in; gabor_column between the passes; gabor_energy out. Latency: 4 rows and 4 columns.
+// II 1. Rows stand alone: a row takes 4 words of flushing. Maximum error: see accuracy constants in
+// error_bounds.hpp.
 //
-// Separable: five vertical filters on the raw pixels, then horizontal ones on their sums, of which the orientations
-// share the products. All coefficients are small constants, so that multiplications are shifts and adds.
+// Separable: five vertical filters on the raw pixels, then horizontal ones on their sums, of which the
+// orientations share the products. All coefficients are small constants, so that multiplications are shifts
+// and adds.
 #pragma once
 
 #include "sailmap/hls/arithmetic.hpp"
@@ -26,7 +27,8 @@ struct NineTaps {
 
 // Filters that read the same forwards and backwards, or change sign: half the multiplications.
 inline int32_t symmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
-  return taps[0] * (p.a + p.i) + taps[1] * (p.b + p.h) + taps[2] * (p.c + p.g) + taps[3] * (p.d + p.f) + taps[4] * p.e;
+  return taps[0] * (p.a + p.i) + taps[1] * (p.b + p.h) + taps[2] * (p.c + p.g) + taps[3] * (p.d + p.f) +
+         taps[4] * p.e;
 }
 inline int32_t antisymmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
   return taps[0] * (p.a - p.i) + taps[1] * (p.b - p.h) + taps[2] * (p.c - p.g) + taps[3] * (p.d - p.f);
@@ -55,7 +57,8 @@ inline void fill_all(NineTaps& taps, int32_t value) {
   taps.i = value;
 }
 
-// The eight rows above the newest, packed: lane 0 of `newer` is the last row, lane 3 of `older` the eighth before.
+// The eight rows above the newest, packed: lane 0 of `newer` is the last row, lane 3 of `older` the eighth
+// before.
 template <class Config, int Level>
 struct GaborRows {
   static uint64_t newer[Config::level_width(Level)];
@@ -142,7 +145,8 @@ inline uint64_t gabor_energies(const GaborWindow& w) {
 }
 
 template <class Config, int Level>
-void orientation_energy(stream<uint16_t>& intensity, stream<uint64_t>& energies, uint16_t width, uint16_t height) {
+void orientation_energy(stream<uint16_t>& intensity, stream<uint64_t>& energies, uint16_t width,
+                        uint16_t height) {
   constexpr int radius = geometry::gabor_radius;
   const int w = geometry::level_side(width, Level);
   const int h = geometry::level_side(height, Level);

@@ -1,8 +1,8 @@
-// Local maxima of section 7: a pixel > the four neighbours already scanned (three above, one left) and >= the other
-// four; outside the image counts as -infinity.
+// Local maxima of section 7: a pixel > the four neighbours already scanned (three above, one left) and >= the
+// other four; outside the image counts as -infinity.
 //
-// Streams, base level, Count maps as lanes, raster order. In: the maps. Out: the maps, and a word of flags a pixel, bit l
-// for lane l. Latency: 1 row and 1 column. II 1. Exact. `Kind` tells the instances apart.
+// Streams, base level, Count maps as lanes, raster order. In: the maps. Out: the maps, and a word of flags a
+// pixel, bit l for lane l. Latency: 1 row and 1 column. II 1. Exact. `Kind` tells the instances apart.
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"
@@ -54,9 +54,11 @@ inline MaximaColumn<Word> next_lane(MaximaColumn<Word> column) {
 template <int Count>
 struct MaximaFlags {
   template <class Word>
-  static uint8_t of(const MaximaColumn<Word>& left, const MaximaColumn<Word>& mid, const MaximaColumn<Word>& right) {
+  static uint8_t of(const MaximaColumn<Word>& left, const MaximaColumn<Word>& mid,
+                    const MaximaColumn<Word>& right) {
     const uint8_t rest = MaximaFlags<Count - 1>::of(next_lane(left), next_lane(mid), next_lane(right));
-    return static_cast<uint8_t>(static_cast<uint8_t>(rest << 1) | (is_local_maximum(left, mid, right) ? 1 : 0));
+    return static_cast<uint8_t>(static_cast<uint8_t>(rest << 1) |
+                                (is_local_maximum(left, mid, right) ? 1 : 0));
   }
 };
 template <>
@@ -69,8 +71,8 @@ struct MaximaFlags<0> {
 };
 
 template <class Config, int Count, int Kind>
-void local_maxima(stream<lanes_t<Count> >& in, stream<lanes_t<Count> >& out, stream<uint8_t>& flags, uint16_t width,
-                  uint16_t height) {
+void local_maxima(stream<lanes_t<Count> >& in, stream<lanes_t<Count> >& out, stream<uint8_t>& flags,
+                  uint16_t width, uint16_t height) {
   typedef lanes_t<Count> Word;
   typedef MaximaRows<Config, Count, Kind> Rows;
   const int w = geometry::base_side(width);

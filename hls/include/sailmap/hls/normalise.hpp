@@ -1,10 +1,11 @@
-// Normalisation, spec section 7 (eq. 1), and the sum over the maps of a kind: conspicuity; over the kinds: saliency.
+// Normalisation, spec section 7 (eq. 1), and the sum over the maps of a kind: conspicuity; over the kinds:
+// saliency.
 //
-// Stage `gains`: for each of Count lanes, maximum and m in; the same, and the gain 1/(maximum sqrt(m)) as mantissa and
-// shift, out. Once a frame, some 100 cycles. Stage `normalise`: gains, then the maps as lanes in; the maps unchanged, and
-// the sum of the normalised lanes out. Base level, raster order. Formats: normalised and conspicuity, or
-// normalised_conspicuity and saliency; one multiplication a pixel and lane. Latency 0. II 1.
-// `Kind` tells the instances apart. Maximum errors: see error_bounds.hpp.
+// Stage `gains`: for each of Count lanes, maximum and m in; the same, and the gain 1/(maximum sqrt(m)) as
+// mantissa and shift, out. Once a frame, some 100 cycles. Stage `normalise`: gains, then the maps as lanes
+// in; the maps unchanged, and the sum of the normalised lanes out. Base level, raster order. Formats:
+// normalised and conspicuity, or normalised_conspicuity and saliency; one multiplication a pixel and lane.
+// Latency 0. II 1. `Kind` tells the instances apart. Maximum errors: see error_bounds.hpp.
 #pragma once
 
 #include "sailmap/hls/across_scales.hpp"

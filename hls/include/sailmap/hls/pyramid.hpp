@@ -1,9 +1,10 @@
-// The arithmetic of the pyramid, spec section 3: separable binomial [1 4 6 4 1]/16, even rows and columns kept, edges
-// replicated. The stages are in reduce_pixels.hpp and reduce_lanes.hpp.
+// The arithmetic of the pyramid, spec section 3: separable binomial [1 4 6 4 1]/16, even rows and columns
+// kept, edges replicated. The stages are in reduce_pixels.hpp and reduce_lanes.hpp.
 //
-// Vertically each output needs five rows, of which an even one serves three outputs and an odd one two. So instead of
-// rows, two partial sums are kept a column: `open`, the older output that still lacks rows, and `next`, the one after.
-// Maximum error against the exact reduction of the same samples: half a unit of the output.
+// Vertically each output needs five rows, of which an even one serves three outputs and an odd one two. So
+// instead of rows, two partial sums are kept a column: `open`, the older output that still lacks rows, and
+// `next`, the one after. Maximum error against the exact reduction of the same samples: half a unit of the
+// output.
 #pragma once
 
 #include "sailmap/hls/arithmetic.hpp"
@@ -25,8 +26,9 @@ struct RowKind {
   bool first;
   bool even;
   bool last;
-  // Whether a row of the coarser level is complete with this row. The last one is not, even where its rows are all
-  // there: it follows the frame, so that the rows of the coarser level come every second row and never oftener.
+  // Whether a row of the coarser level is complete with this row. The last one is not, even where its rows
+  // are all there: it follows the frame, so that the rows of the coarser level come every second row and
+  // never oftener.
   bool emits() const { return even && !first; }
 };
 

@@ -1,11 +1,12 @@
 // One level of the pyramid (spec 3), several pixels a word; the width of level `Fine` is a multiple of them.
 //
-// Streams in: five (intensity, green, blue, red, yellow) of words of Count = 2 or 4 pixels of that channel, or, for
-// Count = 8, ten: the left and the right four pixels of each beat. Out: five streams of words of Count / 2 pixels.
-// Formats: grey_sum (level 0) or intensity, colour. Latency: 2 rows and 1 word. II 1. Error: see pyramid.hpp.
+// Streams in: five (intensity, green, blue, red, yellow) of words of Count = 2 or 4 pixels of that channel,
+// or, for Count = 8, ten: the left and the right four pixels of each beat. Out: five streams of words of
+// Count / 2 pixels. Formats: grey_sum (level 0) or intensity, colour. Latency: 2 rows and 1 word. II 1.
+// Error: see pyramid.hpp.
 //
-// The rows of a frame run on into each other: a word's sums wait for the next word, at the end of a row for the first of
-// the next row, so that no cycle is lost between rows.
+// The rows of a frame run on into each other: a word's sums wait for the next word, at the end of a row for
+// the first of the next row, so that no cycle is lost between rows.
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"
@@ -134,7 +135,8 @@ struct FiveWords {
 };
 
 template <class Stage, int Count>
-inline FiveWords<lanes_t<Count / 2> > add_beats(BeatPosition at, int beats, int h, const FiveWindows<Count>& windows) {
+inline FiveWords<lanes_t<Count / 2> > add_beats(BeatPosition at, int beats, int h,
+                                                const FiveWindows<Count>& windows) {
   const RowKind kind = row_kind(at.y, h);
   const bool last = at.x + 1 == beats;
   FiveWords<lanes_t<Count / 2> > out;
@@ -163,11 +165,12 @@ inline void flush_beats(int beats, stream<lanes_t<Count / 2> >& intensity, strea
 }
 
 template <class Config, int Fine, int Count>
-void reduce_lanes(stream<lanes_t<Count> >& intensity, stream<lanes_t<Count> >& green, stream<lanes_t<Count> >& blue,
-                  stream<lanes_t<Count> >& red, stream<lanes_t<Count> >& yellow,
-                  stream<lanes_t<Count / 2> >& intensity_out, stream<lanes_t<Count / 2> >& green_out,
-                  stream<lanes_t<Count / 2> >& blue_out, stream<lanes_t<Count / 2> >& red_out,
-                  stream<lanes_t<Count / 2> >& yellow_out, uint16_t width, uint16_t height) {
+void reduce_lanes(stream<lanes_t<Count> >& intensity, stream<lanes_t<Count> >& green,
+                  stream<lanes_t<Count> >& blue, stream<lanes_t<Count> >& red,
+                  stream<lanes_t<Count> >& yellow, stream<lanes_t<Count / 2> >& intensity_out,
+                  stream<lanes_t<Count / 2> >& green_out, stream<lanes_t<Count / 2> >& blue_out,
+                  stream<lanes_t<Count / 2> >& red_out, stream<lanes_t<Count / 2> >& yellow_out,
+                  uint16_t width, uint16_t height) {
   typedef ReduceLanes<Config, Fine, Count> Stage;
   const int h = geometry::level_side(height, Fine);
   const int beats = geometry::level_side(width, Fine) / Count;
@@ -210,12 +213,12 @@ inline void unpack_halves(uint64_t left, uint64_t right, Lanes<8, uint16_t>& out
 }
 
 template <class Config, int Fine>
-void reduce_halves(stream<uint64_t>& intensity_left, stream<uint64_t>& green_left, stream<uint64_t>& blue_left,
-                   stream<uint64_t>& red_left, stream<uint64_t>& yellow_left, stream<uint64_t>& intensity_right,
-                   stream<uint64_t>& green_right, stream<uint64_t>& blue_right, stream<uint64_t>& red_right,
-                   stream<uint64_t>& yellow_right, stream<uint64_t>& intensity_out, stream<uint64_t>& green_out,
-                   stream<uint64_t>& blue_out, stream<uint64_t>& red_out, stream<uint64_t>& yellow_out,
-                   uint16_t width, uint16_t height) {
+void reduce_halves(stream<uint64_t>& intensity_left, stream<uint64_t>& green_left,
+                   stream<uint64_t>& blue_left, stream<uint64_t>& red_left, stream<uint64_t>& yellow_left,
+                   stream<uint64_t>& intensity_right, stream<uint64_t>& green_right,
+                   stream<uint64_t>& blue_right, stream<uint64_t>& red_right, stream<uint64_t>& yellow_right,
+                   stream<uint64_t>& intensity_out, stream<uint64_t>& green_out, stream<uint64_t>& blue_out,
+                   stream<uint64_t>& red_out, stream<uint64_t>& yellow_out, uint16_t width, uint16_t height) {
   typedef ReduceLanes<Config, Fine, 8> Stage;
   const int h = geometry::level_side(height, Fine);
   const int beats = geometry::level_side(width, Fine) / 8;
@@ -251,12 +254,12 @@ void reduce_halves(stream<uint64_t>& intensity_left, stream<uint64_t>& green_lef
   flush_beats<Stage, 8>(beats, intensity_out, green_out, blue_out, red_out, yellow_out);
 }
 
-// From words of Count = 1 or 2 pixels on five streams to one pixel a word, colours as lanes: the form of the levels that
-// carry maps. II: Count cycles a word.
+// From words of Count = 1 or 2 pixels on five streams to one pixel a word, colours as lanes: the form of the
+// levels that carry maps. II: Count cycles a word.
 template <class Config, int Level>
-void serialise_1(stream<uint16_t>& intensity, stream<uint16_t>& green, stream<uint16_t>& blue, stream<uint16_t>& red,
-                 stream<uint16_t>& yellow, stream<uint16_t>& intensity_out, stream<uint64_t>& colours_out,
-                 uint16_t width, uint16_t height) {
+void serialise_1(stream<uint16_t>& intensity, stream<uint16_t>& green, stream<uint16_t>& blue,
+                 stream<uint16_t>& red, stream<uint16_t>& yellow, stream<uint16_t>& intensity_out,
+                 stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
   const int words = geometry::level_side(width, Level) * geometry::level_side(height, Level);
 #pragma nounroll
   for (int i = 0; i < words; ++i) {
@@ -270,9 +273,9 @@ void serialise_1(stream<uint16_t>& intensity, stream<uint16_t>& green, stream<ui
   }
 }
 template <class Config, int Level>
-void serialise_2(stream<uint32_t>& intensity, stream<uint32_t>& green, stream<uint32_t>& blue, stream<uint32_t>& red,
-                 stream<uint32_t>& yellow, stream<uint16_t>& intensity_out, stream<uint64_t>& colours_out,
-                 uint16_t width, uint16_t height) {
+void serialise_2(stream<uint32_t>& intensity, stream<uint32_t>& green, stream<uint32_t>& blue,
+                 stream<uint32_t>& red, stream<uint32_t>& yellow, stream<uint16_t>& intensity_out,
+                 stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
   const int words = geometry::level_side(width, Level) / 2 * geometry::level_side(height, Level);
 #pragma nounroll
   for (int i = 0; i < words; ++i) {

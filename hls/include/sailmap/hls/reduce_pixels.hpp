@@ -1,8 +1,8 @@
 // One level of the pyramid (spec 3), one pixel a word, any size.
 //
-// Streams in and out: intensity, and green, blue, red, yellow as lanes; in raster order, level `Fine` in, Fine + 1 out.
-// Formats: grey_sum (level 0) or intensity, colour. Latency: 2 rows and 2 columns of level Fine. II: 2 cycles an output
-// column, that is one input pixel a cycle. Error: see pyramid.hpp.
+// Streams in and out: intensity, and green, blue, red, yellow as lanes; in raster order, level `Fine` in,
+// Fine + 1 out. Formats: grey_sum (level 0) or intensity, colour. Latency: 2 rows and 2 columns of level
+// Fine. II: 2 cycles an output column, that is one input pixel a cycle. Error: see pyramid.hpp.
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"

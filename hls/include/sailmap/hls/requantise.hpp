@@ -125,16 +125,17 @@ constexpr std::int64_t wrapped_sign_magnitude(std::int64_t raw) {
   return wrapped<To>(deleted == sign ? raw : ~raw);
 }
 
+// For SC_SAT_SYM the most negative word is out of range too.
 template <class To>
 constexpr std::int64_t overflowed(std::int64_t raw) {
-  const bool above = raw > To::max_raw();
-  const bool under = raw < To::min_raw();
-  return !above && !under                     ? raw
-         : To::overflow == Overflow::sat      ? (above ? To::max_raw() : To::min_raw())
-         : To::overflow == Overflow::sat_zero ? 0
-         : To::overflow == Overflow::sat_sym  ? (above ? To::max_raw() : (To::is_signed ? -To::max_raw() : 0))
-         : To::overflow == Overflow::wrap_sm  ? wrapped_sign_magnitude<To>(raw)
-                                              : wrapped<To>(raw);
+  constexpr std::int64_t most = To::max_raw();
+  constexpr std::int64_t least = To::is_signed && To::overflow == Overflow::sat_sym ? -most : To::min_raw();
+  const bool above = raw > most;
+  return !above && raw >= least                                               ? raw
+         : To::overflow == Overflow::sat || To::overflow == Overflow::sat_sym ? (above ? most : least)
+         : To::overflow == Overflow::sat_zero                                 ? 0
+         : To::overflow == Overflow::wrap_sm ? wrapped_sign_magnitude<To>(raw)
+                                             : wrapped<To>(raw);
 }
 
 // SC_WRAP drops the upper bits; done by the conversion alone where the word is a native one.

@@ -1,4 +1,5 @@
-// Plumbing around the conspicuity maps (spec 7): the three kinds as lanes of one word, and one stream of statistics.
+// Plumbing around the conspicuity maps (spec 7): the three kinds as lanes of one word, and one stream of
+// statistics.
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"
@@ -24,7 +25,8 @@ void join_conspicuities(stream<uint16_t>& intensity, stream<uint16_t>& colour, s
   }
 }
 
-// Maximum and m of each map: the ten feature maps in the order of section 6, then C_I, C_C and C_O. 26 words a frame.
+// Maximum and m of each map: the ten feature maps in the order of section 6, then C_I, C_C and C_O. 26 words
+// a frame.
 constexpr int statistics_words = 2 * (geometry::feature_maps + geometry::conspicuity_maps);
 
 template <class Config>

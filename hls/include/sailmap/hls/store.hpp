@@ -1,10 +1,10 @@
 // The frame store of section 7: keeps the maps of a frame while it finds their maxima, then replays them.
 //
-// Streams, base level, Count maps as lanes. In: the maps and their local-maximum flags (local_maxima.hpp), raster order.
-// Out: `statistics`, for each lane its maximum and m, the number of local maxima above half of it (0 for a flat
-// zero map), then the maps again. Latency: a frame, and a second pass over it that counts. II 1 in all three passes; a
-// frame of n base pixels keeps the store for n to fill, n to count and n to replay. Exact. `Kind` and `Bank` tell the
-// instances apart.
+// Streams, base level, Count maps as lanes. In: the maps and their local-maximum flags (local_maxima.hpp),
+// raster order. Out: `statistics`, for each lane its maximum and m, the number of local maxima above half of
+// it (0 for a flat zero map), then the maps again. Latency: a frame, and a second pass over it that counts.
+// II 1 in all three passes; a frame of n base pixels keeps the store for n to fill, n to count and n to
+// replay. Exact. `Kind` and `Bank` tell the instances apart.
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"

@@ -1,7 +1,6 @@
-// Runs the front end in C simulation: frames in, everything the hardware puts out as raw words.
+// Runs a front end of any configuration in C simulation; simulate.hpp has the largest one, compiled.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,28 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "sailmap/csim/frame.hpp"
 #include "sailmap/csim/scheduler.hpp"
 #include "sailmap/csim/stream.hpp"
 #include "sailmap/hls/front_end.hpp"
 
 namespace sailmap::csim {
-
-// 8-bit pixels in raster order, red, green and blue interleaved.
-struct Frame {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> rgb;
-};
-
-// The outputs of hls::FrontEnd for one frame, lanes still packed.
-struct FrontEndWords {
-  std::vector<std::uint32_t> intensity_maps;
-  std::vector<std::uint64_t> colour_maps;
-  std::vector<std::uint64_t> orientation_maps;
-  std::vector<std::uint64_t> conspicuity_maps;
-  std::vector<std::uint16_t> saliency;
-  std::vector<std::uint32_t> statistics;
-};
 
 // Writes one component of frames, `Beat` pixels a word, the left one in the low byte.
 template <int Beat>
@@ -51,17 +34,17 @@ void read_words(Stream<T>& in, std::size_t count, std::vector<T>& out) {
   for (T& word : out) word = in.read();
 }
 
-// Back to back through one network, each frame of its own size. Throws std::invalid_argument when Config does not take a
-// frame, NetworkError when the network is wrong.
+// Back to back through one network, each frame of its own size. Throws std::invalid_argument when Config does
+// not take a frame, NetworkError when the network is wrong.
 template <class Config>
 std::vector<FrontEndWords> run_front_end(std::span<const Frame> frames, Scheduler& scheduler) {
   using Word = hls::bytes_t<Config::beat>;
   for (const Frame& frame : frames) {
     if (Config::takes(frame.width, frame.height)) continue;
-    throw std::invalid_argument("a frame of " + std::to_string(frame.width) + "x" + std::to_string(frame.height) +
-                                " pixels does not fit a front end of " + std::to_string(Config::max_width) + "x" +
-                                std::to_string(Config::max_height) + " with " + std::to_string(Config::beat) +
-                                " pixels a beat");
+    throw std::invalid_argument("a frame of " + std::to_string(frame.width) + "x" +
+                                std::to_string(frame.height) + " pixels does not fit a front end of " +
+                                std::to_string(Config::max_width) + "x" + std::to_string(Config::max_height) +
+                                " with " + std::to_string(Config::beat) + " pixels a beat");
   }
   Stream<Word> red("red");
   Stream<Word> green("green");
@@ -83,11 +66,11 @@ std::vector<FrontEndWords> run_front_end(std::span<const Frame> frames, Schedule
   feed("source of green", green, 1);
   feed("source of blue", blue, 2);
   for (const Frame& frame : frames) {
-    hls::FrontEnd<Config>::run(red, green, blue, intensity_maps, colour_maps, orientation_maps, conspicuity_maps,
-                               saliency, statistics, static_cast<std::uint16_t>(frame.width),
-                               static_cast<std::uint16_t>(frame.height));
+    hls::FrontEnd<Config>::run(
+        red, green, blue, intensity_maps, colour_maps, orientation_maps, conspicuity_maps, saliency,
+        statistics, static_cast<std::uint16_t>(frame.width), static_cast<std::uint16_t>(frame.height));
   }
-  const auto drain = [&](const char* name, auto& stream, auto FrontEndWords::* words) {
+  const auto drain = [&](const char* name, auto& stream, auto FrontEndWords::*words) {
     scheduler.launch(name, {&stream}, [frames, &stream, &out, words] {
       for (std::size_t i = 0; i < frames.size(); ++i) {
         const std::size_t pixels = static_cast<std::size_t>(hls::geometry::base_side(frames[i].width)) *

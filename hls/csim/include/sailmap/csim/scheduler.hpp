@@ -1,9 +1,10 @@
 // C simulation: the stages of a dataflow region as tasks that take turns on one thread.
 //
-// A task is a Boost.Context fibre; it runs until a FIFO stops it (reading an empty one, writing a full one) or its
-// work ends. Which task goes on next depends on nothing but the order of launching, so every run is the same run.
-// A network of blocking FIFOs is deterministic beyond that (Kahn): whether it deadlocks at a depth does not depend on
-// how fast its stages are, so a C simulation at depth 2 speaks for the hardware with FIFOs of depth 2 or more.
+// A task is a Boost.Context fibre; it runs until a FIFO stops it (reading an empty one, writing a full one)
+// or its work ends. Which task goes on next depends on nothing but the order of launching, so every run is
+// the same run. A network of blocking FIFOs is deterministic beyond that (Kahn): whether it deadlocks at a
+// depth does not depend on how fast its stages are, so a C simulation at depth 2 speaks for the hardware with
+// FIFOs of depth 2 or more.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +21,8 @@ namespace sailmap::csim {
 class Fifo;
 class Task;
 
-// The network is wrong: deadlock, words left in a FIFO at the end, a FIFO with two readers or two writers. The message
-// names the FIFOs and the stages.
+// The network is wrong: deadlock, words left in a FIFO at the end, a FIFO with two readers or two writers.
+// The message names the FIFOs and the stages.
 class NetworkError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,8 +30,8 @@ class NetworkError : public std::runtime_error {
 
 constexpr std::size_t default_depth = 2;
 
-// Runs one network on the calling thread. While a Scheduler lives it is the thread's current one; stages launched
-// and FIFOs used on that thread belong to it.
+// Runs one network on the calling thread. While a Scheduler lives it is the thread's current one; stages
+// launched and FIFOs used on that thread belong to it.
 class Scheduler {
  public:
   // `depth`: words every FIFO holds.
@@ -41,13 +42,15 @@ class Scheduler {
   Scheduler(Scheduler&&) = delete;
   Scheduler& operator=(Scheduler&&) = delete;
 
-  // Queues a piece of work on the task of that key, which uses those FIFOs. Work of one task is done in order, as a
-  // hardware stage handles frame after frame; different tasks run side by side.
-  void launch(const std::string& name, const void* key, const std::vector<Fifo*>& fifos, std::function<void()> work);
+  // Queues a piece of work on the task of that key, which uses those FIFOs. Work of one task is done in
+  // order, as a hardware stage handles frame after frame; different tasks run side by side.
+  void launch(const std::string& name, const void* key, const std::vector<Fifo*>& fifos,
+              std::function<void()> work);
   // Queues work on a task of its own.
   void launch(const std::string& name, const std::vector<Fifo*>& fifos, std::function<void()> work);
 
-  // Runs until all work is done. Throws NetworkError, or what a stage threw; the FIFOs are empty afterwards either way.
+  // Runs until all work is done. Throws NetworkError, or what a stage threw; the FIFOs are empty afterwards
+  // either way.
   void run();
 
   // Most words each FIFO held in the run, by FIFO name.

@@ -1,6 +1,7 @@
 // C simulation: what stands for the tool's hls::stream when g++ compiles the kernels.
 //
-// Bounded at the hardware's depth, named, one writer and one reader. Faults are errors, never warnings: see Scheduler.
+// Bounded at the hardware's depth, named, one writer and one reader. Faults are errors, never warnings: see
+// Scheduler.
 #pragma once
 
 #include <cstddef>
@@ -117,8 +118,8 @@ void add_if_fifo(std::vector<Fifo*>& fifos, Argument& argument) {
 
 }  // namespace detail
 
-// Queues a call of a stage function: streams are passed on by reference, scalars by value. Calls of one function run one
-// after another, calls of different ones side by side.
+// Queues a call of a stage function: streams are passed on by reference, scalars by value. Calls of one
+// function run one after another, calls of different ones side by side.
 template <class... Parameters, class... Arguments>
 void launch(const char* name, void (*stage)(Parameters...), Arguments&&... arguments) {
   std::vector<Fifo*> fifos;
