@@ -13,8 +13,9 @@
 // statistics and feature maps side by side. Latency: the frame, twice its replay (three with double buffering
 // the same), and the rows that sum_lag_rows(2) names. II: predicted_cycles() in throughput.hpp.
 //
-// The region is put together from parts that are the same for every tool (region/*.inc): a stage call must
-// stand in the region itself, where no tool has to look through templates or inlined functions to find it.
+// The region is put together from parts that are the same for every tool (region/*.inc, in the order of their
+// numbers): a stage call must stand in the region itself, where no tool has to look through templates or
+// inlined functions to find it.
 #pragma once
 
 #include "sailmap/hls/across_scales.hpp"
@@ -48,9 +49,9 @@ template <class Config>
 struct FrontEnd<Config, 1, false> {
   static void run(SAILMAP_FRONT_END_PORTS(uint8_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/levels.inc"
-#include "sailmap/hls/region/store_once.inc"
-#include "sailmap/hls/region/to_base_1.inc"
+#include "sailmap/hls/region/1_to_base_1.inc"
+#include "sailmap/hls/region/2_levels.inc"
+#include "sailmap/hls/region/3_store_once.inc"
   }
 };
 
@@ -58,9 +59,9 @@ template <class Config>
 struct FrontEnd<Config, 1, true> {
   static void run(SAILMAP_FRONT_END_PORTS(uint8_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/levels.inc"
-#include "sailmap/hls/region/store_twice.inc"
-#include "sailmap/hls/region/to_base_1.inc"
+#include "sailmap/hls/region/1_to_base_1.inc"
+#include "sailmap/hls/region/2_levels.inc"
+#include "sailmap/hls/region/3_store_twice.inc"
   }
 };
 
@@ -68,9 +69,9 @@ template <class Config>
 struct FrontEnd<Config, 2, false> {
   static void run(SAILMAP_FRONT_END_PORTS(uint16_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/levels.inc"
-#include "sailmap/hls/region/store_once.inc"
-#include "sailmap/hls/region/to_base_2.inc"
+#include "sailmap/hls/region/1_to_base_2.inc"
+#include "sailmap/hls/region/2_levels.inc"
+#include "sailmap/hls/region/3_store_once.inc"
   }
 };
 
@@ -78,9 +79,9 @@ template <class Config>
 struct FrontEnd<Config, 2, true> {
   static void run(SAILMAP_FRONT_END_PORTS(uint16_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/levels.inc"
-#include "sailmap/hls/region/store_twice.inc"
-#include "sailmap/hls/region/to_base_2.inc"
+#include "sailmap/hls/region/1_to_base_2.inc"
+#include "sailmap/hls/region/2_levels.inc"
+#include "sailmap/hls/region/3_store_twice.inc"
   }
 };
 
@@ -88,9 +89,9 @@ template <class Config>
 struct FrontEnd<Config, 4, false> {
   static void run(SAILMAP_FRONT_END_PORTS(uint32_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/levels.inc"
-#include "sailmap/hls/region/store_once.inc"
-#include "sailmap/hls/region/to_base_4.inc"
+#include "sailmap/hls/region/1_to_base_4.inc"
+#include "sailmap/hls/region/2_levels.inc"
+#include "sailmap/hls/region/3_store_once.inc"
   }
 };
 
@@ -98,9 +99,9 @@ template <class Config>
 struct FrontEnd<Config, 4, true> {
   static void run(SAILMAP_FRONT_END_PORTS(uint32_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/levels.inc"
-#include "sailmap/hls/region/store_twice.inc"
-#include "sailmap/hls/region/to_base_4.inc"
+#include "sailmap/hls/region/1_to_base_4.inc"
+#include "sailmap/hls/region/2_levels.inc"
+#include "sailmap/hls/region/3_store_twice.inc"
   }
 };
 
@@ -108,9 +109,9 @@ template <class Config>
 struct FrontEnd<Config, 8, false> {
   static void run(SAILMAP_FRONT_END_PORTS(uint64_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/levels.inc"
-#include "sailmap/hls/region/store_once.inc"
-#include "sailmap/hls/region/to_base_8.inc"
+#include "sailmap/hls/region/1_to_base_8.inc"
+#include "sailmap/hls/region/2_levels.inc"
+#include "sailmap/hls/region/3_store_once.inc"
   }
 };
 
@@ -118,9 +119,9 @@ template <class Config>
 struct FrontEnd<Config, 8, true> {
   static void run(SAILMAP_FRONT_END_PORTS(uint64_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/levels.inc"
-#include "sailmap/hls/region/store_twice.inc"
-#include "sailmap/hls/region/to_base_8.inc"
+#include "sailmap/hls/region/1_to_base_8.inc"
+#include "sailmap/hls/region/2_levels.inc"
+#include "sailmap/hls/region/3_store_twice.inc"
   }
 };
 
