@@ -12,6 +12,7 @@
 
 #include "frames.hpp"
 #include "sailmap/csim/front_end.hpp"
+#include "sailmap/hls/throughput.hpp"
 
 namespace sailmap::testing {
 namespace {
@@ -133,6 +134,14 @@ TEST(CsimNetwork, ARowMoreOrLessDeadlocks) {
   EXPECT_THAT((Levels<Changed<Delay2, -1, 0>, Delay3, Gabor>::fault(320, 240)), HasSubstr("deadlock"));
   EXPECT_THAT((Levels<Delay2, Changed<Delay3, 1, 0>, Gabor>::fault(320, 240)), HasSubstr("deadlock"));
   EXPECT_THAT((Levels<Delay2, Changed<Delay3, -1, 0>, Gabor>::fault(320, 240)), HasSubstr("deadlock"));
+}
+
+// By hand, for VGA: 480 rows of 641 cycles and one of 320 fill the first reduction at one pixel a beat, and a
+// single store counts and replays 160 x 120 pixels; 481 rows of 80 words at eight.
+TEST(Throughput, OfVgaIsWhatTheLoopsSay) {
+  EXPECT_EQ(hls::throughput::frame(640, 480, 1, false), 480 * 641 + 320 + 2 * 160 * 120);
+  EXPECT_EQ(hls::throughput::frame(640, 480, 1, true), 480 * 641 + 320);
+  EXPECT_EQ(hls::throughput::frame(640, 480, 8, true), 481 * 80);
 }
 
 // Nothing is read from the network before all of `frames` has gone in: "ok", or the fault.

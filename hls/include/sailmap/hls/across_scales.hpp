@@ -4,23 +4,19 @@
 // out: level `Level`, all in raster order. Formats: level 4 and 3 maps to the partial sum, the partial sum
 // and level 2 maps to the feature; the three kinds alike. Latency: row y of the output needs row ceil(y/2) of
 // `coarse`, and the next coarse column; coarse row 0 is read before anything else. II 1 a fine pixel. `Kind`
-// tells the instances apart. Maximum error: half a unit of the output.
+// tells the instances apart. Maximum error of the features: accuracy::intensity_feature_bound,
+// colour_feature_bound and orientation_feature_bound; a sum adds half a unit of its output.
 #pragma once
 
 #include "sailmap/hls/arithmetic.hpp"
 #include "sailmap/hls/geometry.hpp"
+#include "sailmap/hls/kinds.hpp"
 #include "sailmap/hls/lanes.hpp"
 #include "sailmap/hls/pragmas.hpp"
 #include "sailmap/hls/stream.hpp"
 
 namespace sailmap {
 namespace hls {
-
-// The kinds of maps, in the order of spec section 6.
-constexpr int intensity_kind = 0;
-constexpr int colour_kind = 1;
-constexpr int orientation_kind = 2;
-constexpr int conspicuity_kind = 3;
 
 // The last coarse row read.
 template <class Config, int Level, int Count, int Kind>

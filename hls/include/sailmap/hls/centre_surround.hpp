@@ -3,7 +3,8 @@
 // Streams, level `Level`, one pixel a word, raster order. In: intensity; green, blue, red, yellow as lanes.
 // Out: intensity on and off as lanes; the four colours' on as lanes. Formats: intensity, colour in;
 // intensity_contrast, colour_contrast out. Latency: 7 rows and 7 columns. II 1. Rows stand alone: a row takes
-// 7 words of flushing. Maximum error against the exact contrast of the same samples: half a unit of the
+// 7 words of flushing. Maximum error against the exact contrast of the exact level:
+// accuracy::contrast_error; of the same samples: half a unit of the
 // output.
 //
 // Box sums run: a column's sum takes in one pixel and lets one go a row, a window's sum one column sum a

@@ -3,7 +3,7 @@
 // Streams in: red, green and blue, Count = 1, 2 or 4 bytes a word, raster order. Out: words of Count pixels
 // of intensity (format grey_sum), green, blue, red and yellow (format colour); for Count = 1 the colours are
 // lanes of one word. Latency 0. II 1. Maximum error against the exact model: intensity none; colours
-// `colour_error`.
+// `accuracy::colour_error`.
 #pragma once
 
 #include <utility>

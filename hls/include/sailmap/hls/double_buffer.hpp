@@ -7,6 +7,7 @@
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"
+#include "sailmap/hls/kinds.hpp"
 #include "sailmap/hls/lanes.hpp"
 #include "sailmap/hls/pragmas.hpp"
 #include "sailmap/hls/store.hpp"

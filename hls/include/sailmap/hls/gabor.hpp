@@ -2,8 +2,8 @@
 //
 // Streams, level `Level`, one pixel a word, raster order. In: intensity. Out: the four energies as lanes.
 // Formats: intensity in; gabor_column between the passes; gabor_energy out. Latency: 4 rows and 4 columns.
-// II 1. Rows stand alone: a row takes 4 words of flushing. Maximum error: see accuracy constants in
-// error_bounds.hpp.
+// II 1. Rows stand alone: a row takes 4 words of flushing. Maximum error against the exact energies
+// of the exact level: accuracy::gabor_level_error.
 //
 // Separable: five vertical filters on the raw pixels, then horizontal ones on their sums, of which the
 // orientations share the products. All coefficients are small constants, so that multiplications are shifts

@@ -5,12 +5,13 @@
 // mantissa and shift, out. Once a frame, some 100 cycles. Stage `normalise`: gains, then the maps as lanes
 // in; the maps unchanged, and the sum of the normalised lanes out. Base level, raster order. Formats:
 // normalised and conspicuity, or normalised_conspicuity and saliency; one multiplication a pixel and lane.
-// Latency 0. II 1. `Kind` tells the instances apart. Maximum errors: see error_bounds.hpp.
+// Latency 0. II 1. `Kind` tells the instances apart. Maximum errors against the exact maps:
+// accuracy::conspicuity_share and accuracy::saliency_share of the largest value.
 #pragma once
 
-#include "sailmap/hls/across_scales.hpp"
 #include "sailmap/hls/arithmetic.hpp"
 #include "sailmap/hls/geometry.hpp"
+#include "sailmap/hls/kinds.hpp"
 #include "sailmap/hls/lanes.hpp"
 #include "sailmap/hls/pragmas.hpp"
 #include "sailmap/hls/stream.hpp"

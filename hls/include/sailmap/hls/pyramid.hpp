@@ -3,7 +3,8 @@
 //
 // Vertically each output needs five rows, of which an even one serves three outputs and an odd one two. So
 // instead of rows, two partial sums are kept a column: `open`, the older output that still lacks rows, and
-// `next`, the one after. Maximum error against the exact reduction of the same samples: half a unit of the
+// `next`, the one after. Maximum error of a level against the exact one: accuracy::level_error; of
+// one reduction: half a unit of the
 // output.
 #pragma once
 
