@@ -1,7 +1,7 @@
 // Top for AMD devices: the front end between AXI4-Stream video and maps, sailmap/hls/axi_front_end.hpp.
 #pragma once
 
-#include <stdint.h>
+#include <cstdint>
 
 #include "configuration.hpp"
 #include "sailmap/hls/axi_video.hpp"

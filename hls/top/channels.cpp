@@ -4,7 +4,7 @@
 
 namespace {
 // Four pixels a beat, whatever the front end's beat: the words that all wide beats are made of.
-typedef sailmap::hls::Config<SAILMAP_MAX_WIDTH, SAILMAP_MAX_HEIGHT, 4> Config4;
+using Config4 = sailmap::hls::Config<SAILMAP_MAX_WIDTH, SAILMAP_MAX_HEIGHT, 4>;
 }  // namespace
 
 void sailmap_channels(sailmap::hls::stream<uint32_t>& red, sailmap::hls::stream<uint32_t>& green,

@@ -20,7 +20,7 @@
 namespace sailmap {
 namespace top {
 
-typedef hls::Config<SAILMAP_MAX_WIDTH, SAILMAP_MAX_HEIGHT, SAILMAP_BEAT, SAILMAP_DOUBLE_BUFFER> Config;
+using Config = hls::Config<SAILMAP_MAX_WIDTH, SAILMAP_MAX_HEIGHT, SAILMAP_BEAT, SAILMAP_DOUBLE_BUFFER>;
 
 }  // namespace top
 }  // namespace sailmap

@@ -1,13 +1,13 @@
 // Top: the whole front end, sailmap/hls/front_end.hpp.
 #pragma once
 
-#include <stdint.h>
+#include <cstdint>
 
 #include "configuration.hpp"
 #include "sailmap/hls/lanes.hpp"
 #include "sailmap/hls/stream.hpp"
 
-typedef sailmap::hls::bytes_t<sailmap::top::Config::beat> sailmap_pixels;
+using sailmap_pixels = sailmap::hls::bytes_t<sailmap::top::Config::beat>;
 
 void sailmap_front_end(sailmap::hls::stream<sailmap_pixels>& red, sailmap::hls::stream<sailmap_pixels>& green,
                        sailmap::hls::stream<sailmap_pixels>& blue,

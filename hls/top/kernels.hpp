@@ -2,7 +2,7 @@
 // those of the stage's header.
 #pragma once
 
-#include <stdint.h>
+#include <cstdint>
 
 #include "configuration.hpp"
 #include "sailmap/hls/stream.hpp"

@@ -13,7 +13,7 @@ namespace {
 
 namespace context = boost::context;
 
-constexpr std::size_t stack_bytes = 128 * 1024;
+constexpr std::size_t stack_bytes = std::size_t{128} * 1024;
 
 Scheduler*& current_of_thread() {
   thread_local Scheduler* current = nullptr;
@@ -135,7 +135,7 @@ void Scheduler::suspend() { running_->suspend(); }
 
 // Each task that hangs waits for the task at the other end of one FIFO. Following these waits from any task
 // leads into a circle, which is the fault, or to a task whose partner has ended.
-std::vector<const Task*> Scheduler::circle_from(const Task& start) const {
+std::vector<const Task*> Scheduler::circle_from(const Task& start) {
   std::vector<const Task*> path = {&start};
   while (true) {
     const Task* const next = path.back()->blocked_on->peer(*path.back());

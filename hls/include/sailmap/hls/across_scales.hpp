@@ -58,7 +58,9 @@ inline void scale_sums(const Lanes<Count, uint32_t>& four, const Lanes<Count, ui
 template <int Level, int Count>
 inline lanes_t<Count> scale_pixel(const Lanes<Count, uint32_t>& left, const Lanes<Count, uint32_t>& right,
                                   lanes_t<Count> fine_word) {
-  Lanes<Count, uint32_t> four, fine, out;
+  Lanes<Count, uint32_t> four = Lanes<Count, uint32_t>();
+  Lanes<Count, uint32_t> fine = four;
+  Lanes<Count, uint32_t> out = four;
   sum_lanes(left, right, four);
   unpack(fine_word, fine);
   scale_sums<Level>(four, fine, out);
@@ -92,7 +94,8 @@ void across_scales(stream<lanes_t<Count> >& coarse, stream<lanes_t<Count> >& fin
         lanes_t<Count> lower_word = upper_word;
         if (reads) lower_word = coarse.read();
         memory[x] = lower_word;
-        Lanes<Count, uint32_t> upper, lower;
+        Lanes<Count, uint32_t> upper = Lanes<Count, uint32_t>();
+        Lanes<Count, uint32_t> lower = upper;
         unpack(upper_word, upper);
         unpack(lower_word, lower);
         sum_lanes(upper, lower, right);

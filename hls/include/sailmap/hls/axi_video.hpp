@@ -15,7 +15,8 @@
 #pragma once
 
 #include <ap_axi_sdata.h>
-#include <stdint.h>
+
+#include <cstdint>
 
 #include "sailmap/hls/geometry.hpp"
 #include "sailmap/hls/lanes.hpp"
@@ -74,7 +75,7 @@ uint32_t VideoState<Config>::counts[status::words] = {0, 0, 0, 0, 0, 0, 0, 0};
 // Reads until a frame starts; returns its first beat.
 template <class Config>
 inline video_beat<Config::beat> find_start(stream<video_beat<Config::beat> >& video, uint16_t height) {
-  typedef VideoState<Config> State;
+  using State = VideoState<Config>;
   video_beat<Config::beat> beat = State::start;
   bool found = State::pending;
   State::pending = false;
@@ -99,63 +100,84 @@ inline video_beat<Config::beat> find_start(stream<video_beat<Config::beat> >& vi
   return beat;
 }
 
+// Where the reading of one frame stands.
+template <class Config>
+struct FrameReader {
+  using State = VideoState<Config>;
+  using Beat = video_beat<Config::beat>;
+
+  Beat beat;        // the last one read
+  bool unused;      // `beat` is the next one of the frame
+  bool line_over;   // the rest of the line is black
+  bool frame_over;  // so is the rest of the frame: the next one has started
+  bool bad;
+
+  void count(int fault) {
+    ++State::counts[fault];
+    bad = true;
+  }
+  // `beat` starts the next frame too early: keep it for then.
+  void keep_for_next() {
+    State::start = beat;
+    State::pending = true;
+    frame_over = true;
+    line_over = true;
+  }
+  void read(stream<Beat>& video) {
+    if (line_over || unused) {
+      unused = false;
+      return;
+    }
+    beat = video.read();
+    if (beat.user.to_uint() != 0) {
+      count(status::short_frames);
+      keep_for_next();
+    }
+  }
+  // After the beat has been used; `due` says that it is the last of its line.
+  void end_beat(bool due) {
+    if (line_over || beat.last.to_uint() == 0) return;
+    if (!due) count(status::short_lines);
+    line_over = true;
+  }
+  // Drops what is beyond the width; `last` says that it is the last line.
+  void end_line(stream<Beat>& video, bool last) {
+    if (!line_over) count(status::long_lines);
+    while (!line_over) {
+      SAILMAP_PIPELINE
+      beat = video.read();
+      line_over = beat.last.to_uint() != 0;
+      if (beat.user.to_uint() != 0) {
+        if (!last) count(status::short_frames);
+        keep_for_next();
+      }
+    }
+  }
+};
+
 // One frame to the front end.
 template <class Config>
 void video_in(stream<video_beat<Config::beat> >& video, stream<bytes_t<Config::beat> >& red,
               stream<bytes_t<Config::beat> >& green, stream<bytes_t<Config::beat> >& blue,
               uint32_t* status_out, uint16_t width, uint16_t height) {
-  typedef VideoState<Config> State;
+  using State = VideoState<Config>;
+  using Pixels = bytes_t<Config::beat>;
   const int beats = width / Config::beat;
-  video_beat<Config::beat> beat = find_start<Config>(video, height);
-  bool bad = false;
-  bool at_start = true;    // `beat` is read and not yet used
-  bool line_over = false;  // the rest of the line is black
-  bool frame_over = false;
+  FrameReader<Config> frame = {find_start<Config>(video, height), true, false, false, false};
   for (int y = 0; y < height; ++y) {
-    line_over = frame_over;
+    frame.line_over = frame.frame_over;
     for (int x = 0; x < beats; ++x) {
       SAILMAP_PIPELINE
-      if (!line_over && !at_start) {
-        beat = video.read();
-        if (beat.user.to_uint() != 0) {
-          ++State::counts[status::short_frames];
-          State::start = beat;
-          State::pending = true;
-          frame_over = true;
-          line_over = true;
-          bad = true;
-        }
-      }
-      at_start = false;
-      red.write(line_over ? bytes_t<Config::beat>(0) : video_component<Config::beat, 2>(beat));
-      green.write(line_over ? bytes_t<Config::beat>(0) : video_component<Config::beat, 0>(beat));
-      blue.write(line_over ? bytes_t<Config::beat>(0) : video_component<Config::beat, 1>(beat));
-      if (!line_over && beat.last.to_uint() != 0) {
-        if (x + 1 < beats) {
-          ++State::counts[status::short_lines];
-          bad = true;
-        }
-        line_over = true;
-      }
+      frame.read(video);
+      red.write(frame.line_over ? Pixels(0) : video_component<Config::beat, 2>(frame.beat));
+      green.write(frame.line_over ? Pixels(0) : video_component<Config::beat, 0>(frame.beat));
+      blue.write(frame.line_over ? Pixels(0) : video_component<Config::beat, 1>(frame.beat));
+      frame.end_beat(x + 1 == beats);
     }
-    if (!line_over) {
-      ++State::counts[status::long_lines];
-      bad = true;
-    }
-    while (!line_over) {
-      SAILMAP_PIPELINE
-      beat = video.read();
-      if (beat.user.to_uint() != 0) {
-        if (y + 1 < height) ++State::counts[status::short_frames];
-        State::start = beat;
-        State::pending = true;
-        frame_over = true;
-      }
-      line_over = beat.last.to_uint() != 0 || frame_over;
-    }
+    frame.end_line(video, y + 1 == height);
   }
   ++State::counts[status::frames];
-  if (bad) ++State::counts[status::bad_frames];
+  if (frame.bad) ++State::counts[status::bad_frames];
   for (int i = 0; i < status::refused; ++i) status_out[i] = State::counts[i];
 }
 

@@ -92,7 +92,7 @@ inline ColumnTaps<Word> column_taps(Word read, bool beyond, int x, const RowSlot
   Word* const second = RowMemory<Stage, 2, Word, to_centre>::words;
   Word* const third = RowMemory<Stage, 3, Word, to_end>::words;
   Word* const fourth = RowMemory<Stage, 4, Word, to_small>::words;
-  ColumnTaps<Word> taps;
+  ColumnTaps<Word> taps = ColumnTaps<Word>();
   taps.newest = beyond ? first[slots.first_before + x] : read;
   const Word a = first[(slots.row < to_small ? 0 : slots.first) + x];
   taps.small_in = slots.row == 0 ? taps.newest : a;
@@ -120,12 +120,11 @@ inline BoxColumn box_column(int x, bool first_row, uint16_t newest, uint16_t sma
                             uint16_t small_out, uint16_t large_out) {
   uint64_t* const sums = BoxColumns<Stage, Channel>::sums;
   const uint64_t before = sums[x];
-  BoxColumn out;
+  BoxColumn out = {0, 0, centre};
   out.large = first_row ? static_cast<uint32_t>(large_side) * newest
                         : static_cast<uint32_t>(before) + newest - large_out;
   out.small = first_row ? static_cast<uint32_t>(small_side) * newest
                         : static_cast<uint32_t>(before >> 32) + small_in - small_out;
-  out.centre = centre;
   sums[x] = static_cast<uint64_t>(out.small) << 32 | out.large;
   return out;
 }
@@ -180,16 +179,24 @@ struct BoxWindow {
 template <class Config, int Level>
 void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<uint32_t>& intensity_out,
                      stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
-  typedef CentreSurround<Config, Level> Stage;
+  using Stage = CentreSurround<Config, Level>;
   constexpr int radius = geometry::surround_radius_large;
   const int w = geometry::level_side(width, Level);
   const int h = geometry::level_side(height, Level);
-  RowSlots slots;
+  RowSlots slots = RowSlots();
   slots.start(w);
 #pragma nounroll
   for (int y = 0; y < h + radius; ++y) {
-    BoxColumn c0 = {0, 0, 0}, c1 = c0, c2 = c0, c3 = c0, c4 = c0;
-    BoxWindow w0 = BoxWindow(), w1 = w0, w2 = w0, w3 = w0, w4 = w0;
+    BoxColumn c0 = {0, 0, 0};
+    BoxColumn c1 = c0;
+    BoxColumn c2 = c0;
+    BoxColumn c3 = c0;
+    BoxColumn c4 = c0;
+    BoxWindow w0 = BoxWindow();
+    BoxWindow w1 = w0;
+    BoxWindow w2 = w0;
+    BoxWindow w3 = w0;
+    BoxWindow w4 = w0;
 #pragma nounroll
     for (int x = 0; x < w + radius; ++x) {
       SAILMAP_PIPELINE

@@ -38,7 +38,7 @@ inline ChannelPixel channel_pixel(uint8_t red, uint8_t green, uint8_t blue) {
   const int b = blue;
   const int s = r + g + b;
   const uint32_t k = ReciprocalTable<Id>::words[s];
-  ChannelPixel out;
+  ChannelPixel out = {0, 0, 0, 0, 0};
   out.intensity = static_cast<uint16_t>(s);
   out.green = tuned_colour(k, 2 * g - r - b);
   out.blue = tuned_colour(k, 2 * b - r - g);

@@ -87,7 +87,7 @@ inline GaborColumn gabor_rows(uint16_t read, int x, int y, int h) {
   const uint64_t far_above = y == 0 ? replicated : o;
   newer[x] = above << lane_bits | newest;
   older[x] = far_above << lane_bits | lane<3>(above);
-  NineTaps p;
+  NineTaps p = {0, 0, 0, 0, 0, 0, 0, 0, 0};
   p.a = lane<3>(far_above);
   p.b = lane<2>(far_above);
   p.c = lane<1>(far_above);
@@ -97,7 +97,7 @@ inline GaborColumn gabor_rows(uint16_t read, int x, int y, int h) {
   p.g = lane<1>(above);
   p.h = lane<0>(above);
   p.i = newest;
-  GaborColumn out;
+  GaborColumn out = {0, 0, 0, 0, 0};
   out.even = gabor_column(symmetric(gabor::E, p));
   out.odd = gabor_column(antisymmetric(gabor::O, p));
   out.cosine = gabor_column(symmetric(gabor::C, p));

@@ -4,7 +4,7 @@
 // constants.
 #pragma once
 
-#include <stdint.h>
+#include <cstdint>
 
 namespace sailmap {
 namespace hls {
@@ -16,26 +16,26 @@ template <int Count>
 struct WordOf;
 template <>
 struct WordOf<1> {
-  typedef uint16_t lanes;
-  typedef uint8_t bytes;
+  using lanes = uint16_t;
+  using bytes = uint8_t;
 };
 template <>
 struct WordOf<2> {
-  typedef uint32_t lanes;
-  typedef uint16_t bytes;
+  using lanes = uint32_t;
+  using bytes = uint16_t;
 };
 template <>
 struct WordOf<3> {
-  typedef uint64_t lanes;
+  using lanes = uint64_t;
 };
 template <>
 struct WordOf<4> {
-  typedef uint64_t lanes;
-  typedef uint32_t bytes;
+  using lanes = uint64_t;
+  using bytes = uint32_t;
 };
 template <>
 struct WordOf<8> {
-  typedef uint64_t bytes;
+  using bytes = uint64_t;
 };
 template <int Count>
 using lanes_t = typename WordOf<Count>::lanes;

@@ -74,8 +74,8 @@ struct MaximaFlags<0> {
 template <class Config, int Count, int Kind>
 void local_maxima(stream<lanes_t<Count> >& in, stream<lanes_t<Count> >& out, stream<uint8_t>& flags,
                   uint16_t width, uint16_t height) {
-  typedef lanes_t<Count> Word;
-  typedef MaximaRows<Config, Count, Kind> Rows;
+  using Word = lanes_t<Count>;
+  using Rows = MaximaRows<Config, Count, Kind>;
   const int w = geometry::base_side(width);
   const int h = geometry::base_side(height);
 #pragma nounroll

@@ -71,7 +71,7 @@ template <class Config, int Count, int Kind>
 void normalise(stream<uint32_t>& gains_in, stream<lanes_t<Count> >& maps, stream<lanes_t<Count> >& maps_out,
                stream<uint16_t>& sum_out, uint16_t width, uint16_t height) {
   const int pixels = geometry::base_side(width) * geometry::base_side(height);
-  LaneGains<Count> lanes;
+  LaneGains<Count> lanes = LaneGains<Count>();
   lanes.read(gains_in);
 #pragma nounroll
   for (int i = 0; i < pixels; ++i) {

@@ -34,7 +34,7 @@ struct RowKind {
 };
 
 inline RowKind row_kind(int row, int height) {
-  RowKind kind;
+  RowKind kind = {false, false, false};
   kind.first = row == 0;
   kind.even = (row & 1) == 0;
   kind.last = row + 1 == height;

@@ -90,16 +90,16 @@ struct BeatWindow {
 // Adds the beat at column word x; `last` says that it ends a row. Returns the samples of the next level.
 template <class Stage, int Channel, int Count>
 inline lanes_t<Count / 2> add_beat(int x, const BeatWindow<Count>& window, bool last, RowKind kind) {
-  Lanes<Count / 2, uint32_t> row;
+  Lanes<Count / 2, uint32_t> row = Lanes<Count / 2, uint32_t>();
   row_sums(window.a, window.b, window.now, last ? last_lane(window.now) : window.next.first, row);
-  Lanes<Count / 2, uint16_t> out;
+  Lanes<Count / 2, uint16_t> out = Lanes<Count / 2, uint16_t>();
   add_lanes<Stage, Channel>(x, row, kind, out);
   return packed<lanes_t<Count / 2> >(out);
 }
 
 template <class Stage, int Channel, int Count>
 inline lanes_t<Count / 2> last_beat(int x) {
-  Lanes<Count / 2, uint16_t> out;
+  Lanes<Count / 2, uint16_t> out = Lanes<Count / 2, uint16_t>();
   last_of_lanes<Stage, Channel>(x, out);
   return packed<lanes_t<Count / 2> >(out);
 }
@@ -139,7 +139,7 @@ inline FiveWords<lanes_t<Count / 2> > add_beats(BeatPosition at, int beats, int 
                                                 const FiveWindows<Count>& windows) {
   const RowKind kind = row_kind(at.y, h);
   const bool last = at.x + 1 == beats;
-  FiveWords<lanes_t<Count / 2> > out;
+  FiveWords<lanes_t<Count / 2> > out = {0, 0, 0, 0, 0};
   out.intensity = add_beat<Stage, 0, Count>(at.x, windows.intensity, last, kind);
   out.green = add_beat<Stage, 1, Count>(at.x, windows.green, last, kind);
   out.blue = add_beat<Stage, 2, Count>(at.x, windows.blue, last, kind);
@@ -171,11 +171,11 @@ void reduce_lanes(stream<lanes_t<Count> >& intensity, stream<lanes_t<Count> >& g
                   stream<lanes_t<Count / 2> >& green_out, stream<lanes_t<Count / 2> >& blue_out,
                   stream<lanes_t<Count / 2> >& red_out, stream<lanes_t<Count / 2> >& yellow_out,
                   uint16_t width, uint16_t height) {
-  typedef ReduceLanes<Config, Fine, Count> Stage;
+  using Stage = ReduceLanes<Config, Fine, Count>;
   const int h = geometry::level_side(height, Fine);
   const int beats = geometry::level_side(width, Fine) / Count;
   const int words = beats * h;
-  FiveWindows<Count> windows;
+  FiveWindows<Count> windows = FiveWindows<Count>();
   unpack(intensity.read(), windows.intensity.next);
   unpack(green.read(), windows.green.next);
   unpack(blue.read(), windows.blue.next);
@@ -219,11 +219,11 @@ void reduce_halves(stream<uint64_t>& intensity_left, stream<uint64_t>& green_lef
                    stream<uint64_t>& blue_right, stream<uint64_t>& red_right, stream<uint64_t>& yellow_right,
                    stream<uint64_t>& intensity_out, stream<uint64_t>& green_out, stream<uint64_t>& blue_out,
                    stream<uint64_t>& red_out, stream<uint64_t>& yellow_out, uint16_t width, uint16_t height) {
-  typedef ReduceLanes<Config, Fine, 8> Stage;
+  using Stage = ReduceLanes<Config, Fine, 8>;
   const int h = geometry::level_side(height, Fine);
   const int beats = geometry::level_side(width, Fine) / 8;
   const int words = beats * h;
-  FiveWindows<8> windows;
+  FiveWindows<8> windows = FiveWindows<8>();
   unpack_halves(intensity_left.read(), intensity_right.read(), windows.intensity.next);
   unpack_halves(green_left.read(), green_right.read(), windows.green.next);
   unpack_halves(blue_left.read(), blue_right.read(), windows.blue.next);

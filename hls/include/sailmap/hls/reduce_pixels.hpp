@@ -39,7 +39,7 @@ inline uint32_t colour_row_sum(const PixelWindow& p) {
 
 template <class Stage>
 inline PyramidPixel add_window(int x, const PixelWindow& p, RowKind kind) {
-  PyramidPixel out;
+  PyramidPixel out = {0, 0};
   out.intensity = add_to_column<Stage, 0, 0>(
       x, binomial(p.a.intensity, p.b.intensity, p.c.intensity, p.d.intensity, p.e.intensity), kind);
   out.colours = pack(add_to_column<Stage, 1, 0>(x, colour_row_sum<0>(p), kind),
@@ -51,7 +51,7 @@ inline PyramidPixel add_window(int x, const PixelWindow& p, RowKind kind) {
 
 template <class Stage>
 inline PyramidPixel last_of_columns(int x) {
-  PyramidPixel out;
+  PyramidPixel out = {0, 0};
   out.intensity = last_of_column<Stage, 0, 0>(x);
   out.colours = pack(last_of_column<Stage, 1, 0>(x), last_of_column<Stage, 2, 0>(x),
                      last_of_column<Stage, 3, 0>(x), last_of_column<Stage, 4, 0>(x));
@@ -61,14 +61,14 @@ inline PyramidPixel last_of_columns(int x) {
 template <class Config, int Fine>
 void reduce_pixels(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<uint16_t>& intensity_out,
                    stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
-  typedef ReducePixels<Config, Fine> Stage;
+  using Stage = ReducePixels<Config, Fine>;
   const int w = geometry::level_side(width, Fine);
   const int h = geometry::level_side(height, Fine);
   const int columns = geometry::half(w);
 #pragma nounroll
   for (int y = 0; y < h; ++y) {
     const RowKind kind = row_kind(y, h);
-    PixelWindow p;
+    PixelWindow p = PixelWindow();
     p.c.intensity = intensity.read();
     p.c.colours = colours.read();
     p.a = p.c;

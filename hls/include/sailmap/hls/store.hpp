@@ -69,9 +69,9 @@ struct LaneStatistics<0> {
 template <class Config, int Count, int Kind, int Bank>
 void store(stream<lanes_t<Count> >& in, stream<uint8_t>& in_flags, stream<uint32_t>& statistics,
            stream<lanes_t<Count> >& out, uint16_t width, uint16_t height) {
-  typedef StoreMemory<Config, Count, Kind, Bank> Memory;
+  using Memory = StoreMemory<Config, Count, Kind, Bank>;
   const int pixels = geometry::base_side(width) * geometry::base_side(height);
-  LaneStatistics<Count> lanes;
+  LaneStatistics<Count> lanes = LaneStatistics<Count>();
   lanes.clear();
 #pragma nounroll
   for (int i = 0; i < pixels; ++i) {

@@ -6,8 +6,7 @@
 // allows. All sizes are of level 0.
 #pragma once
 
-#include "sailmap/hls/config.hpp"
-#include "sailmap/hls/delay_line.hpp"
+#include "sailmap/hls/delays.hpp"
 #include "sailmap/hls/geometry.hpp"
 
 namespace sailmap {

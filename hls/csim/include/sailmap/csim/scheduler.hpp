@@ -72,7 +72,7 @@ class Scheduler {
 
   void resume(Task& task);
   void check_all_ended() const;
-  [[nodiscard]] std::vector<const Task*> circle_from(const Task& start) const;
+  [[nodiscard]] static std::vector<const Task*> circle_from(const Task& start);
   void check_no_leftovers() const;
   void finish();
 
