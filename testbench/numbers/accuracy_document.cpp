@@ -32,8 +32,8 @@ constexpr const char* reading = R"(
 - **Feature maps.** For *every* image the error is below the bounds of `hls/accuracy.hpp`, which carry half a unit of
   each rounding through the filters at their worst: @ib@ (intensity), @cb@ (colour), @ob@ (orientation). On photographs it
   stays within @ip@, @cp@ and @op@. The aim of 0.2 % of the map's own maximum is met where that maximum is at least @if@, @cf@
-  and @of@, of full scales of 6, 18 and 3. Below that a map is nearly flat (dark or blurred images of the corridor), and half a
-  unit of its 16-bit word alone (@half@ in colour) is more than 0.2 % of it.
+  and @of@, of full scales of 6, 18 and 3. Below that a map is nearly flat (dark or blurred images of
+  the corridor) and the roundings of 16-bit words weigh more.
 - **Saliency.** Where every m agrees, conspicuity and saliency are within 0.5 % of their maximum. Where an m differs they are
   not, and no finite word would do: eq. 1 divides by sqrt(m), and a peak within rounding of half the maximum, or of its
   neighbour, counts or does not. The second paragraph of each sequence puts that in proportion: the exact model against itself
