@@ -2,6 +2,7 @@
 #include "sailmap/hls/throughput.hpp"
 
 #include <cstdio>
+#include <initializer_list>
 
 namespace {
 

@@ -1,15 +1,15 @@
 // How long the delay lines are, in rows and columns: a formula of the geometry.
 //
-// Which delays are right, in pixels of a level l (lags count from the arrival of the pyramid pixel):
+// In pixels of a level l; lags count from the arrival of the pyramid pixel.
 // - The Gabor stage is ready 4 rows and 4 columns after a pixel, the centre-surround stage 7 and 7. The
-// intensity goes
-//   into Gabor 3 rows and 3 columns late, so that all maps of a level come in step.
+//   intensity goes into Gabor 3 rows and 3 columns late, so that all maps of a level come in step.
 // - Row k of level l+1 exists when row 2k+2 of level l has been read, and its sum is ready
-// `sum_lag_rows(l+1)` rows of
-//   level l+1 later. The row y = 2k-1 of the interpolated sum needs row k. So the sum for row y is ready with
-//   row 2(k + sum_lag_rows(l+1)) + 2 = y + 2 sum_lag_rows(l+1) + 3 of level l: the lag of level l. What the
-//   level's own contrast stage lags by itself is taken off: the rest is the delay of its branch. With columns
-//   it is the same, but that the interpolation waits for the second of its two coarse columns.
+//   sum_lag_rows(l+1) rows of level l+1 later. The row y = 2k-1 of the interpolated sum needs row k. So the
+//   sum for row y is ready with row 2(k + sum_lag_rows(l+1)) + 2 = y + 2 sum_lag_rows(l+1) + 3 of level l:
+//   the lag of level l. What the level's own contrast stage lags by itself is taken off: the rest is the
+//   delay of its branch. With columns it is the same, but that the interpolation waits for the second of its
+//   two coarse columns.
+// A row more or less stops the network at depth 2 (testbench/csim/network_test.cpp).
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"
