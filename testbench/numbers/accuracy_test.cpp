@@ -80,22 +80,29 @@ TEST(Accuracy, WindowsAreThoseOfTheSpec) {
 
 class OnSequence : public ::testing::TestWithParam<std::pair<const char*, int>> {};
 
+void expect_shares_of_features(const ImageErrors& image) {
+  for (std::size_t i = 0; i < feature_count; ++i) {
+    const MapErrors& map = image.maps[i];
+    if (map.maximum < floors.at(kind_of_feature.at(i))) continue;
+    EXPECT_LE(map.largest_error, accuracy::feature_share * map.maximum) << map_name(i);
+  }
+}
+
+void expect_shares_after_normalisation(const ImageErrors& image) {
+  for (std::size_t i = feature_count; i < map_count; ++i) {
+    const double share = i == saliency ? accuracy::saliency_share : accuracy::conspicuity_share;
+    EXPECT_LE(image.maps[i].largest_error, share * image.maps[i].maximum) << map_name(i);
+  }
+}
+
 TEST_P(OnSequence, IsAsStated) {
   const auto& [name, step] = GetParam();
   SAILMAP_NEEDS_DATA(name);
   const std::vector<ImageErrors> images = measure_folder(data_folder() / name / "images", step);
   for (const ImageErrors& image : images) {
     expect_within(image, photographs);
-    for (std::size_t i = 0; i < feature_count; ++i) {
-      const MapErrors& map = image.maps[i];
-      if (map.maximum < floors.at(kind_of_feature.at(i))) continue;
-      EXPECT_LE(map.largest_error, accuracy::feature_share * map.maximum) << map_name(i);
-    }
-    if (!image.same_m()) continue;
-    for (std::size_t i = feature_count; i < saliency; ++i) {
-      EXPECT_LE(image.maps[i].largest_error, accuracy::conspicuity_share * image.maps[i].maximum);
-    }
-    EXPECT_LE(image.maps[saliency].largest_error, accuracy::saliency_share * image.maps[saliency].maximum);
+    expect_shares_of_features(image);
+    if (image.same_m()) expect_shares_after_normalisation(image);
   }
   EXPECT_GE(summarise(images).agreement(), accuracy::region_agreement);
 }

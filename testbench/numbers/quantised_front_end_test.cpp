@@ -1,7 +1,8 @@
 // The quantised front end: raw integers and what they are worth.
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 
 #include "images.hpp"
 #include "sailmap/error.hpp"
@@ -36,29 +37,35 @@ TEST(QuantisedFrontEnd, NamesItsFormats) {
   EXPECT_EQ(maps.saliency.height(), 18);
 }
 
-// The whole of section 7 once more from the feature maps' integers, with the kernels' integer steps.
+// From the integers of a feature map and its m, as the kernels do.
+hls::Gain gain_of(const Map& map, const MapStatistics& stats) {
+  const auto samples = raw_of(map).samples();
+  const std::uint32_t maximum = *std::max_element(samples.begin(), samples.end());
+  EXPECT_DOUBLE_EQ(stats.maximum, maximum * map.lsb);
+  return hls::gain(maximum, static_cast<std::uint32_t>(stats.maxima));
+}
+
+// The conspicuities once more from the feature maps' integers, with the kernels' integer steps.
+void expect_kernels_conspicuities(const Maps& maps) {
+  std::array<hls::Gain, feature_count> gains{};
+  for (std::size_t i = 0; i < feature_count; ++i) {
+    gains.at(i) = gain_of(maps.features.at(i), maps.feature_statistics.at(i));
+  }
+  for (std::size_t p = 0; p < raw_of(maps.saliency).samples().size(); ++p) {
+    std::array<std::uint32_t, conspicuity_count> sums{};
+    for (std::size_t i = 0; i < feature_count; ++i) {
+      sums.at(kind_of_feature.at(i)) += hls::normalise(raw_of(maps.features.at(i)).samples()[p], gains.at(i));
+    }
+    EXPECT_EQ(raw_of(maps.conspicuities[0]).samples()[p], hls::intensity_conspicuity(sums[0]));
+    EXPECT_EQ(raw_of(maps.conspicuities[1]).samples()[p], hls::colour_conspicuity(sums[1]));
+    EXPECT_EQ(raw_of(maps.conspicuities[2]).samples()[p], hls::orientation_conspicuity(sums[2]));
+  }
+}
+
 TEST(QuantisedFrontEnd, NormalisesAsTheKernelsDo) {
   for (const auto& image : {testing::noise(131, 97, 1), testing::noise(64, 64, 2, 3),
                             testing::square(96, 12, {9, 90, 30}, {50, 50, 50})}) {
-    const Maps maps = maps_of(image);
-    const std::array<Raw, 3> planes = {raw_of(maps.conspicuities[0]), raw_of(maps.conspicuities[1]),
-                                       raw_of(maps.conspicuities[2])};
-    std::array<hls::Gain, feature_count> gains{};
-    for (std::size_t i = 0; i < feature_count; ++i) {
-      const auto samples = raw_of(maps.features[i]).samples();
-      const std::uint32_t maximum = *std::max_element(samples.begin(), samples.end());
-      EXPECT_DOUBLE_EQ(maps.feature_statistics[i].maximum, maximum * maps.features[i].lsb);
-      gains.at(i) = hls::gain(maximum, static_cast<std::uint32_t>(maps.feature_statistics[i].maxima));
-    }
-    for (std::size_t p = 0; p < planes[0].samples().size(); ++p) {
-      std::array<std::uint32_t, 3> sums{};
-      for (std::size_t i = 0; i < feature_count; ++i) {
-        sums.at(kind_of_feature.at(i)) += hls::normalise(raw_of(maps.features[i]).samples()[p], gains.at(i));
-      }
-      EXPECT_EQ(planes[0].samples()[p], hls::intensity_conspicuity(sums[0]));
-      EXPECT_EQ(planes[1].samples()[p], hls::colour_conspicuity(sums[1]));
-      EXPECT_EQ(planes[2].samples()[p], hls::orientation_conspicuity(sums[2]));
-    }
+    expect_kernels_conspicuities(maps_of(image));
   }
 }
 

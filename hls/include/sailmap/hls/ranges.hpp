@@ -28,7 +28,7 @@ constexpr std::int64_t rounded(std::int64_t value) {
 
 // --- Section 2 ---
 
-constexpr std::int64_t grey_sum = 3 * 255;
+constexpr std::int64_t grey_sum = std::int64_t{3} * 255;
 
 // The least s with colour has the largest reciprocal.
 constexpr std::int64_t largest_reciprocal() {
@@ -56,10 +56,9 @@ constexpr std::int64_t intensity = rounded<formats::intensity, formats::grey_sum
 
 // --- Section 4: the centre at its largest, all else 0 ---
 
-constexpr std::int64_t small_area =
-    (2 * geometry::surround_radius_small + 1) * (2 * geometry::surround_radius_small + 1);
-constexpr std::int64_t large_area =
-    (2 * geometry::surround_radius_large + 1) * (2 * geometry::surround_radius_large + 1);
+constexpr std::int64_t area_of(std::int64_t radius) { return (2 * radius + 1) * (2 * radius + 1); }
+constexpr std::int64_t small_area = area_of(geometry::surround_radius_small);
+constexpr std::int64_t large_area = area_of(geometry::surround_radius_large);
 static_assert(small_area == 49 && large_area == 225, "contrast() has these in it");
 
 constexpr std::int64_t contrast_sum_of(std::int64_t level) {

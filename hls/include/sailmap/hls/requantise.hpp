@@ -87,21 +87,36 @@ using word_t = typename F::native;
 
 namespace detail {
 
+// What to add before the bits below 2^Shift are dropped, so that the drop rounds as Mode says.
+template <Rounding Mode, int Shift, class T>
+constexpr T rounding_offset(T raw) {
+  constexpr T one = 1;
+  constexpr T half = one << (Shift - 1);
+  const T negative = raw < 0 ? T{1} : T{0};
+  switch (Mode) {
+    case Rounding::trn:
+      return T{0};
+    case Rounding::trn_zero:
+      return static_cast<T>(negative * ((one << Shift) - 1));
+    case Rounding::rnd:
+      return half;
+    case Rounding::rnd_min_inf:
+      return static_cast<T>(half - 1);
+    case Rounding::rnd_zero:
+      return static_cast<T>(half - 1 + negative);
+    case Rounding::rnd_inf:
+      return static_cast<T>(half - negative);
+    case Rounding::rnd_conv:
+      return static_cast<T>(half - 1 + ((raw >> Shift) & 1));
+  }
+  return T{0};
+}
+
 // Division by 2^Shift with rounding. `>>` of a negative integer is arithmetic on every compiler and tool
 // here.
 template <Rounding Mode, int Shift, class T>
 constexpr std::enable_if_t<(Shift > 0), T> shift_right(T raw) {
-  constexpr T half = T{1} << (Shift - 1);
-  constexpr T below = static_cast<T>((T{1} << Shift) - 1);
-  const bool negative = raw < 0;
-  const T odd = static_cast<T>((raw >> Shift) & 1);
-  return Mode == Rounding::trn        ? static_cast<T>(raw >> Shift)
-         : Mode == Rounding::trn_zero ? static_cast<T>((raw + (negative ? below : T{0})) >> Shift)
-         : Mode == Rounding::rnd      ? static_cast<T>((raw + half) >> Shift)
-         : Mode == Rounding::rnd_zero ? static_cast<T>((raw + half - (negative ? T{0} : T{1})) >> Shift)
-         : Mode == Rounding::rnd_inf  ? static_cast<T>((raw + half - (negative ? T{1} : T{0})) >> Shift)
-         : Mode == Rounding::rnd_conv ? static_cast<T>((raw + half - T{1} + odd) >> Shift)
-                                      : static_cast<T>((raw + half - T{1}) >> Shift);  // rnd_min_inf
+  return static_cast<T>((raw + rounding_offset<Mode, Shift, T>(raw)) >> Shift);
 }
 
 template <Rounding Mode, int Shift, class T>

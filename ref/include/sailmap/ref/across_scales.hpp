@@ -39,7 +39,11 @@ Plane<double> across_scales(const std::array<Plane<double>, hls::geometry::map_l
     for (int y = 0; y < finer.height(); ++y) {
       for (int x = 0; x < finer.width(); ++x) {
         const double both = next(x, y) + finer(x, y);
-        next(x, y) = level == 0 ? Policy::template at<Feature>(both) : Policy::template at<Partial>(both);
+        if (level == 0) {
+          next(x, y) = Policy::template at<Feature>(both);
+        } else {
+          next(x, y) = Policy::template at<Partial>(both);
+        }
       }
     }
     sum = std::move(next);

@@ -40,10 +40,11 @@ Contrast centre_surround(const Plane<double>& in) {
   Contrast out{Plane<double>(in.width(), in.height()), Plane<double>(in.width(), in.height())};
   for (const int radius : {hls::geometry::surround_radius_small, hls::geometry::surround_radius_large}) {
     const int area = (2 * radius + 1) * (2 * radius + 1);
+    const int factor = common / (area - 1);
     const Plane<double> sums = window_sums(in, radius);
     for (int y = 0; y < in.height(); ++y) {
       for (int x = 0; x < in.width(); ++x) {
-        const double difference = (area * in(x, y) - sums(x, y)) * (common / (area - 1));
+        const double difference = (area * in(x, y) - sums(x, y)) * factor;
         out.on(x, y) += std::max(0.0, difference);
         out.off(x, y) += std::max(0.0, -difference);
       }

@@ -85,8 +85,8 @@ Plane<double> gabor_columns(const Plane<double>& in, const GaborFilter& filter) 
   for (int y = 0; y < in.height(); ++y) {
     for (int x = 0; x < in.width(); ++x) {
       double sum = 0;
-      for (int k = -radius; k <= radius; ++k) {
-        sum += filter[static_cast<std::size_t>(k + radius)] * in.clamped(x, y + k);
+      for (std::size_t k = 0; k < filter.size(); ++k) {
+        sum += filter[k] * in.clamped(x, y + static_cast<int>(k) - radius);
       }
       out(x, y) = Policy::template at<point::gabor_column>(sum);
     }
@@ -104,8 +104,8 @@ Plane<double> gabor_response(const Plane<double>& in, const std::vector<Separabl
     for (int y = 0; y < in.height(); ++y) {
       for (int x = 0; x < in.width(); ++x) {
         double sum = 0;
-        for (int k = -radius; k <= radius; ++k) {
-          sum += term.horizontal[static_cast<std::size_t>(k + radius)] * columns.clamped(x + k, y);
+        for (std::size_t k = 0; k < term.horizontal.size(); ++k) {
+          sum += term.horizontal[k] * columns.clamped(x + static_cast<int>(k) - radius, y);
         }
         out(x, y) += term.sign * sum;
       }
