@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <boost/context/fiber.hpp>
 #include <boost/context/fixedsize_stack.hpp>
+#include <boost/context/preallocated.hpp>
+#include <boost/context/stack_context.hpp>
 #include <exception>
 #include <utility>
 
 #include "sailmap/csim/stream.hpp"
+#include "stack_switch.hpp"
 
 namespace sailmap::csim {
 namespace {
@@ -31,13 +34,40 @@ std::string without_brackets(const std::string& name) {
 class Task {
  public:
   explicit Task(std::string name) : name_(std::move(name)) {
-    fibre_ = context::fiber(std::allocator_arg, context::fixedsize_stack(stack_bytes),
-                            [this](context::fiber&& caller) { return body(std::move(caller)); });
+    context::fixedsize_stack allocator(stack_bytes);
+    const context::stack_context memory = allocator.allocate();
+    stack_ = {static_cast<const char*>(memory.sp) - memory.size, memory.size};
+    fibre_ = context::fiber(std::allocator_arg, context::preallocated(memory.sp, memory.size, memory),
+                            allocator, [this](context::fiber&& caller) { return body(std::move(caller)); });
   }
+  // Unwinds the task where it hangs.
+  ~Task() {
+    if (!started_) {
+      work_.clear();
+      resume();
+    }
+    if (ended()) return;
+    void* kept = nullptr;
+    leave_for(stack_, &kept);
+    fibre_ = context::fiber();
+    arrived(kept);
+  }
+  Task(const Task&) = delete;
+  Task& operator=(const Task&) = delete;
+  Task(Task&&) = delete;
+  Task& operator=(Task&&) = delete;
 
   void add(std::function<void()> work) { work_.push_back(std::move(work)); }
-  void resume() { fibre_ = std::move(fibre_).resume(); }
-  void suspend() { caller_ = std::move(caller_).resume(); }
+  void resume() {
+    void* kept = nullptr;
+    leave_for(stack_, &kept);
+    fibre_ = std::move(fibre_).resume();
+    arrived(kept);
+  }
+  void suspend() {
+    Absence absence(*this);
+    caller_ = std::move(caller_).resume();
+  }
 
   [[nodiscard]] bool ended() const { return !fibre_; }
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -48,7 +78,24 @@ class Task {
   bool blocked_writing = false;
 
  private:
+  // The time between leaving the task's stack and being back, by return or by unwinding.
+  class Absence {
+   public:
+    explicit Absence(Task& task) : task_(task) { leave_for(task_.caller_stack_, &kept_); }
+    ~Absence() { task_.caller_stack_ = arrived(kept_); }
+    Absence(const Absence&) = delete;
+    Absence& operator=(const Absence&) = delete;
+    Absence(Absence&&) = delete;
+    Absence& operator=(Absence&&) = delete;
+
+   private:
+    Task& task_;
+    void* kept_ = nullptr;
+  };
+
   context::fiber body(context::fiber&& caller) {
+    caller_stack_ = arrived(nullptr);
+    started_ = true;
     caller_ = std::move(caller);
     try {
       while (!work_.empty()) {
@@ -57,15 +104,20 @@ class Task {
         work();
       }
     } catch (const context::detail::forced_unwind&) {
-      throw;  // the fibre is being destroyed
+      leave_for(caller_stack_, nullptr);
+      throw;  // the task is being destroyed
     } catch (...) {
       failure_ = std::current_exception();
     }
+    leave_for(caller_stack_, nullptr);
     return std::move(caller_);
   }
 
   std::string name_;
   std::deque<std::function<void()>> work_;
+  bool started_ = false;
+  StackBounds stack_;
+  StackBounds caller_stack_;
   context::fiber fibre_;
   context::fiber caller_;
   std::exception_ptr failure_;

@@ -65,6 +65,8 @@ class Scheduler {
 
   Task& add_task(const std::string& name);
   void attach(Fifo& fifo) { fifos_.push_back(&fifo); }
+  // A FIFO goes before the run's end.
+  void forget(const Fifo& fifo) { std::erase(fifos_, &fifo); }
   // Called inside a task: leaves it until wake().
   void suspend();
   void wake(Task& task) { ready_.push_back(&task); }

@@ -20,7 +20,9 @@ namespace sailmap::csim {
 class Fifo {
  public:
   explicit Fifo(std::string name) : name_(std::move(name)) {}
-  virtual ~Fifo() = default;
+  virtual ~Fifo() {
+    if (owner_ != nullptr) owner_->forget(*this);
+  }
   Fifo(const Fifo&) = delete;
   Fifo& operator=(const Fifo&) = delete;
   Fifo(Fifo&&) = delete;
