@@ -1,9 +1,9 @@
 # Installs the library, the headers, the program and what find_package(sailmap) needs.
 include(CMakePackageConfigHelpers)
-install(TARGETS sailmap_hls sailmap_ref sailmap EXPORT sailmap-targets)
+install(TARGETS sailmap_hls sailmap_csim sailmap_ref sailmap EXPORT sailmap-targets)
 set_target_properties(sailmap_program PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 install(TARGETS sailmap_program)
-foreach(part hls ref host)
+foreach(part hls hls/csim ref host)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${part}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endforeach()
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sailmap)

@@ -8,9 +8,12 @@
 
 namespace sailmap::testing {
 
+// SAILMAP_DATA, or what CTest says is the default, or the default as seen from the root of a checkout.
 inline std::filesystem::path data_folder() {
-  const char* folder = std::getenv("SAILMAP_DATA");
-  return folder != nullptr ? std::filesystem::path(folder) : std::filesystem::path(SAILMAP_DEFAULT_DATA);
+  for (const char* variable : {"SAILMAP_DATA", "SAILMAP_DEFAULT_DATA"}) {
+    if (const char* folder = std::getenv(variable); folder != nullptr) return folder;
+  }
+  return "../shared/data";
 }
 
 }  // namespace sailmap::testing

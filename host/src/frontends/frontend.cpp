@@ -10,7 +10,8 @@ struct Entry {
   const char* name;
   std::unique_ptr<Frontend> (*make)();
 };
-constexpr Entry entries[] = {{"reference", make_reference}};
+constexpr Entry entries[] = {
+    {"reference", make_reference}, {"quantised", make_quantised}, {"csim", make_csim}};
 
 }  // namespace
 

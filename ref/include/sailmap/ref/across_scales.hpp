@@ -10,8 +10,8 @@
 
 namespace sailmap::ref {
 
-// Linear interpolation on the sample grid to width x height, the next finer level: even positions are exact, odd
-// ones the mean of their two neighbours, of which the last is replicated.
+// Linear interpolation on the sample grid to width x height, the next finer level: even positions are exact,
+// odd ones the mean of their two neighbours, of which the last is replicated.
 inline Plane<double> interpolate(const Plane<double>& coarse, int width, int height) {
   Plane<double> out(width, height);
   for (int y = 0; y < height; ++y) {
@@ -28,8 +28,9 @@ inline Plane<double> interpolate(const Plane<double>& coarse, int width, int hei
   return out;
 }
 
-// `levels`: one map per pyramid level, finest first.
-template <class Policy, class Point>
+// `levels`: one map per pyramid level, finest first. The sums are rounded at Feature on the base level, at
+// Partial on the levels before it.
+template <class Policy, class Partial, class Feature = Partial>
 Plane<double> across_scales(const std::array<Plane<double>, hls::geometry::map_levels>& levels) {
   Plane<double> sum = levels.back();
   for (std::size_t level = levels.size() - 1; level-- > 0;) {
@@ -37,7 +38,12 @@ Plane<double> across_scales(const std::array<Plane<double>, hls::geometry::map_l
     Plane<double> next = interpolate(sum, finer.width(), finer.height());
     for (int y = 0; y < finer.height(); ++y) {
       for (int x = 0; x < finer.width(); ++x) {
-        next(x, y) = Policy::template at<Point>(next(x, y)) + finer(x, y);
+        const double both = next(x, y) + finer(x, y);
+        if (level == 0) {
+          next(x, y) = Policy::template at<Feature>(both);
+        } else {
+          next(x, y) = Policy::template at<Partial>(both);
+        }
       }
     }
     sum = std::move(next);

@@ -32,20 +32,26 @@ inline Plane<double> window_sums(const Plane<double>& in, int radius) {
   return sums;
 }
 
+// side^2 times the centre less the window sum is side^2 - 1 times (centre - surround), the surround being the
+// mean of the window without its centre: 48 and 224 times, and 672 has both as factors.
 template <class Policy, class Point>
 Contrast centre_surround(const Plane<double>& in) {
+  constexpr int common = 672;
   Contrast out{Plane<double>(in.width(), in.height()), Plane<double>(in.width(), in.height())};
   for (const int radius : {hls::geometry::surround_radius_small, hls::geometry::surround_radius_large}) {
-    const int side = 2 * radius + 1;
+    const int area = (2 * radius + 1) * (2 * radius + 1);
+    const int factor = common / (area - 1);
     const Plane<double> sums = window_sums(in, radius);
     for (int y = 0; y < in.height(); ++y) {
       for (int x = 0; x < in.width(); ++x) {
-        // The surround is the mean of the window without its centre.
-        const double difference = in(x, y) - (sums(x, y) - in(x, y)) / (side * side - 1);
-        out.on(x, y) += Policy::template at<Point>(std::max(0.0, difference));
-        out.off(x, y) += Policy::template at<Point>(std::max(0.0, -difference));
+        const double difference = (area * in(x, y) - sums(x, y)) * factor;
+        out.on(x, y) += std::max(0.0, difference);
+        out.off(x, y) += std::max(0.0, -difference);
       }
     }
+  }
+  for (Plane<double>* map : {&out.on, &out.off}) {
+    for (double& v : map->samples()) v = Policy::template at<Point>(v / Policy::contrast_divisor);
   }
   return out;
 }

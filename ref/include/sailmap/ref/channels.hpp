@@ -30,7 +30,7 @@ Channels channels(const ImageView& image) {
     for (int x = 0; x < w; ++x) {
       const auto [r, g, b] = image.at(x, y);
       const int s = r + g + b;
-      out.intensity(x, y) = Policy::template at<point::intensity>(Policy::intensity(s));
+      out.intensity(x, y) = Policy::template at<point::grey_sum>(Policy::intensity(s));
       if (10 * s <= 765) continue;
       const double k = Policy::template at<point::colour_reciprocal>(1.5 / s);
       const auto tuned = [k](int doubled) {

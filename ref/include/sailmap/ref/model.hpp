@@ -56,21 +56,21 @@ std::array<Plane<double>, 2> intensity_features(const Pyramid& intensity) {
     on[level] = std::move(contrasts[level].on);
     off[level] = std::move(contrasts[level].off);
   }
-  return {across_scales<Policy, point::intensity_feature>(on),
-          across_scales<Policy, point::intensity_feature>(off)};
+  return {across_scales<Policy, point::intensity_partial, point::intensity_feature>(on),
+          across_scales<Policy, point::intensity_partial, point::intensity_feature>(off)};
 }
 
 template <class Policy>
 Plane<double> colour_feature(Plane<double> channel) {
   const Pyramid levels = pyramid<Policy, point::colour>(std::move(channel));
-  return across_scales<Policy, point::colour_feature>(each_level(levels, [](const Plane<double>& level) {
-    return centre_surround<Policy, point::colour_contrast>(level).on;
-  }));
+  return across_scales<Policy, point::colour_partial, point::colour_feature>(each_level(
+      levels,
+      [](const Plane<double>& level) { return centre_surround<Policy, point::colour_contrast>(level).on; }));
 }
 
 template <class Policy>
 Plane<double> orientation_feature(const Pyramid& intensity, int index) {
-  return across_scales<Policy, point::orientation_feature>(each_level(
+  return across_scales<Policy, point::orientation_partial, point::orientation_feature>(each_level(
       intensity, [index](const Plane<double>& level) { return gabor_energy<Policy>(level, index); }));
 }
 
@@ -107,9 +107,11 @@ Model compute(const ImageView& image) {
     normalised[i] = normalise<Policy, point::normalised>(out.features[i], out.feature_statistics[i]);
   }
   const std::span<const Plane<double>> all(normalised);
-  out.conspicuities = {conspicuity<Policy>(all.subspan(0, intensity_maps)),
-                       conspicuity<Policy>(all.subspan(intensity_maps, colour_maps)),
-                       conspicuity<Policy>(all.subspan(intensity_maps + colour_maps, orientation_maps))};
+  out.conspicuities = {
+      conspicuity<Policy, point::intensity_conspicuity>(all.subspan(0, intensity_maps)),
+      conspicuity<Policy, point::colour_conspicuity>(all.subspan(intensity_maps, colour_maps)),
+      conspicuity<Policy, point::orientation_conspicuity>(
+          all.subspan(intensity_maps + colour_maps, orientation_maps))};
   out.saliency = saliency<Policy>(out.conspicuities);
   return out;
 }

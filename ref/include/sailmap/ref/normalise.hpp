@@ -51,7 +51,7 @@ inline MapStatistics statistics(const Plane<double>& map, double tie) {
 // X~ = X / (max(X) sqrt(m)).
 template <class Policy, class Point>
 Plane<double> normalise(const Plane<double>& map, const MapStatistics& stats) {
-  const double gain = stats.gain();
+  const double gain = Policy::gain(stats.maximum, stats.maxima);
   Plane<double> out(map.width(), map.height());
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) out(x, y) = Policy::template at<Point>(map(x, y) * gain);

@@ -26,9 +26,9 @@ Plane<double> sum_of(std::span<const Plane<double>> maps) {
 }
 
 // C_I, C_C or C_O: the sum of the normalised feature maps of one kind.
-template <class Policy>
+template <class Policy, class Point>
 Plane<double> conspicuity(std::span<const Plane<double>> normalised) {
-  return sum_of<Policy, point::conspicuity>(normalised);
+  return sum_of<Policy, Point>(normalised);
 }
 
 // S = C~_I + C~_C + C~_O, each C normalised by eq. 1 again.

@@ -1,0 +1,7 @@
+#include "largest.hpp"
+
+namespace sailmap::csim {
+
+template std::vector<FrontEndWords> run_front_end<Largest<2>>(std::span<const Frame>, Scheduler&);
+
+}  // namespace sailmap::csim

@@ -1,0 +1,233 @@
+// Centre-surround contrast, spec section 4: centre against the means of the 7x7 and the 15x15 window.
+//
+// Streams, level `Level`, one pixel a word, raster order. In: intensity; green, blue, red, yellow as lanes.
+// Out: intensity on and off as lanes; the four colours' on as lanes. Formats: intensity, colour in;
+// intensity_contrast, colour_contrast out. Latency: 7 rows and 7 columns. II 1. Rows stand alone: a row takes
+// 7 words of flushing. Maximum error against the exact contrast of the exact level:
+// accuracy::contrast_error; of the same samples: half a unit of the
+// output.
+//
+// Box sums run: a column's sum takes in one pixel and lets one go a row, a window's sum one column sum a
+// column. The pixels that enter and leave are those of the newest row and of 4, 7 (the centre), 11 and 15
+// rows before it; one row memory after the other holds them, each with one load and one store a pixel.
+#pragma once
+
+#include "sailmap/hls/arithmetic.hpp"
+#include "sailmap/hls/geometry.hpp"
+#include "sailmap/hls/lanes.hpp"
+#include "sailmap/hls/pragmas.hpp"
+#include "sailmap/hls/stream.hpp"
+
+namespace sailmap {
+namespace hls {
+
+constexpr int small_side = 2 * geometry::surround_radius_small + 1;
+constexpr int large_side = 2 * geometry::surround_radius_large + 1;
+// From the newest row or column: to where the small window begins, to the centre, to behind the small and
+// large window.
+constexpr int to_small = geometry::surround_radius_large - geometry::surround_radius_small;
+constexpr int to_centre = geometry::surround_radius_small;  // from where the small window begins
+constexpr int to_end = geometry::surround_radius_small + 1;
+
+template <class Config, int Level>
+struct CentreSurround {
+  static constexpr int columns = Config::level_width(Level);
+};
+
+// `Rows` rows of words; Segment tells the memories of a stage apart.
+template <class Stage, int Segment, class Word, int Rows>
+struct RowMemory {
+  static Word words[Rows * Stage::columns];
+};
+template <class Stage, int Segment, class Word, int Rows>
+Word RowMemory<Stage, Segment, Word, Rows>::words[Rows * Stage::columns];
+
+// Sums of the columns of one channel: over 15 rows low, over 7 rows high.
+template <class Stage, int Channel>
+struct BoxColumns {
+  static uint64_t sums[Stage::columns];
+};
+template <class Stage, int Channel>
+uint64_t BoxColumns<Stage, Channel>::sums[Stage::columns];
+
+// Where each row memory is; the offsets are those of a slot's first word.
+struct RowSlots {
+  int row;  // 0 is the first row of the frame, `height` and on are its last one again
+  int width;
+  int first;          // to_small rows
+  int first_before;   // the slot of the row before
+  int second;         // to_centre rows
+  int third, fourth;  // to_end and to_small rows
+
+  void start(int w) {
+    row = 0;
+    width = w;
+    first = 0;
+    first_before = 0;
+    second = 0;
+    third = 0;
+    fourth = 0;
+  }
+  void advance() {
+    ++row;
+    first_before = first;
+    first = first == (to_small - 1) * width ? 0 : first + width;
+    second = second == (to_centre - 1) * width ? 0 : second + width;
+    third = third == (to_end - 1) * width ? 0 : third + width;
+    fourth = fourth == (to_small - 1) * width ? 0 : fourth + width;
+  }
+};
+
+// The pixels of one column that matter to the sums.
+template <class Word>
+struct ColumnTaps {
+  Word newest, small_in, centre, small_out, large_out;
+};
+
+// Before the frame stands its first row, over and over: the first memory still has it in slot 0 when it is
+// needed, and what a later memory is given in its first rows is that row already.
+template <class Stage, class Word>
+inline ColumnTaps<Word> column_taps(Word read, bool beyond, int x, const RowSlots& slots) {
+  Word* const first = RowMemory<Stage, 1, Word, to_small>::words;
+  Word* const second = RowMemory<Stage, 2, Word, to_centre>::words;
+  Word* const third = RowMemory<Stage, 3, Word, to_end>::words;
+  Word* const fourth = RowMemory<Stage, 4, Word, to_small>::words;
+  ColumnTaps<Word> taps = ColumnTaps<Word>();
+  taps.newest = beyond ? first[slots.first_before + x] : read;
+  const Word a = first[(slots.row < to_small ? 0 : slots.first) + x];
+  taps.small_in = slots.row == 0 ? taps.newest : a;
+  first[slots.first + x] = taps.newest;
+  const Word b = second[slots.second + x];
+  taps.centre = slots.row < to_centre ? taps.small_in : b;
+  second[slots.second + x] = taps.small_in;
+  const Word c = third[slots.third + x];
+  taps.small_out = slots.row < to_end ? taps.centre : c;
+  third[slots.third + x] = taps.centre;
+  const Word d = fourth[slots.fourth + x];
+  taps.large_out = slots.row < to_small ? taps.small_out : d;
+  fourth[slots.fourth + x] = taps.small_out;
+  return taps;
+}
+
+// Column sums over the large and the small window, and the centre pixel, of one channel.
+struct BoxColumn {
+  uint32_t large, small;
+  uint16_t centre;
+};
+
+template <class Stage, int Channel>
+inline BoxColumn box_column(int x, bool first_row, uint16_t newest, uint16_t small_in, uint16_t centre,
+                            uint16_t small_out, uint16_t large_out) {
+  uint64_t* const sums = BoxColumns<Stage, Channel>::sums;
+  const uint64_t before = sums[x];
+  BoxColumn out = {0, 0, centre};
+  out.large = first_row ? static_cast<uint32_t>(large_side) * newest
+                        : static_cast<uint32_t>(before) + newest - large_out;
+  out.small = first_row ? static_cast<uint32_t>(small_side) * newest
+                        : static_cast<uint32_t>(before >> 32) + small_in - small_out;
+  sums[x] = static_cast<uint64_t>(out.small) << 32 | out.large;
+  return out;
+}
+
+template <class Stage, int Channel, int Index, class Word>
+inline BoxColumn box_lane(int x, bool first_row, const ColumnTaps<Word>& taps) {
+  return box_column<Stage, Channel>(x, first_row, lane<Index>(taps.newest), lane<Index>(taps.small_in),
+                                    lane<Index>(taps.centre), lane<Index>(taps.small_out),
+                                    lane<Index>(taps.large_out));
+}
+
+// The window sums of one channel as they run along a row. The newest column is 7 to the right of the centre.
+struct BoxWindow {
+  uint32_t large, small;
+  uint16_t centre;
+  ShiftRegister<large_side, uint32_t> large_columns;
+  ShiftRegister<to_small, uint32_t> until_small;
+  ShiftRegister<small_side, uint32_t> small_columns;
+  ShiftRegister<geometry::surround_radius_large, uint16_t> centres;
+
+  // The first column of a row stands for all to its left as well.
+  void start(const BoxColumn& column) {
+    large = static_cast<uint32_t>(large_side) * column.large;
+    small = static_cast<uint32_t>(small_side) * column.small;
+    centre = column.centre;
+    large_columns.fill(column.large);
+    until_small.fill(column.small);
+    small_columns.fill(column.small);
+    centres.fill(column.centre);
+  }
+  void advance(const BoxColumn& column) {
+    large += column.large - large_columns.push(column.large);
+    const uint32_t enters = until_small.push(column.small);
+    small += enters - small_columns.push(enters);
+    centre = centres.push(column.centre);
+  }
+  void next(bool first, const BoxColumn& column) {
+    if (first) {
+      start(column);
+    } else {
+      advance(column);
+    }
+  }
+  uint16_t on() const {
+    return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), 1);
+  }
+  uint16_t off() const {
+    return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), -1);
+  }
+};
+
+template <class Config, int Level>
+void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<uint32_t>& intensity_out,
+                     stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
+  using Stage = CentreSurround<Config, Level>;
+  constexpr int radius = geometry::surround_radius_large;
+  const int w = geometry::level_side(width, Level);
+  const int h = geometry::level_side(height, Level);
+  RowSlots slots = RowSlots();
+  slots.start(w);
+#pragma nounroll
+  for (int y = 0; y < h + radius; ++y) {
+    BoxColumn c0 = {0, 0, 0};
+    BoxColumn c1 = c0;
+    BoxColumn c2 = c0;
+    BoxColumn c3 = c0;
+    BoxColumn c4 = c0;
+    BoxWindow w0 = BoxWindow();
+    BoxWindow w1 = w0;
+    BoxWindow w2 = w0;
+    BoxWindow w3 = w0;
+    BoxWindow w4 = w0;
+#pragma nounroll
+    for (int x = 0; x < w + radius; ++x) {
+      SAILMAP_PIPELINE
+      if (x < w) {
+        uint16_t grey = 0;
+        uint64_t colour = 0;
+        if (y < h) {
+          grey = intensity.read();
+          colour = colours.read();
+        }
+        const ColumnTaps<uint16_t> g = column_taps<Stage>(grey, y >= h, x, slots);
+        const ColumnTaps<uint64_t> c = column_taps<Stage>(colour, y >= h, x, slots);
+        c0 = box_lane<Stage, 0, 0>(x, y == 0, g);
+        c1 = box_lane<Stage, 1, 0>(x, y == 0, c);
+        c2 = box_lane<Stage, 2, 1>(x, y == 0, c);
+        c3 = box_lane<Stage, 3, 2>(x, y == 0, c);
+        c4 = box_lane<Stage, 4, 3>(x, y == 0, c);
+      }
+      w0.next(x == 0, c0);
+      w1.next(x == 0, c1);
+      w2.next(x == 0, c2);
+      w3.next(x == 0, c3);
+      w4.next(x == 0, c4);
+      if (y >= radius && x >= radius) {
+        intensity_out.write(pack(w0.on(), w0.off()));
+        colours_out.write(pack(w1.on(), w2.on(), w3.on(), w4.on()));
+      }
+    }
+    slots.advance();
+  }
+}
+
+}  // namespace hls
+}  // namespace sailmap

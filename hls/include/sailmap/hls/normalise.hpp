@@ -1,0 +1,87 @@
+// Normalisation, spec section 7 (eq. 1), and the sum over the maps of a kind: conspicuity; over the kinds:
+// saliency.
+//
+// Stage `gains`: for each of Count lanes, maximum and m in; the same, and the gain 1/(maximum sqrt(m)) as
+// mantissa and shift, out. Once a frame, some 100 cycles. Stage `normalise`: gains, then the maps as lanes
+// in; the maps unchanged, and the sum of the normalised lanes out. Base level, raster order. Formats:
+// normalised and conspicuity, or normalised_conspicuity and saliency; one multiplication a pixel and lane.
+// Latency 0. II 1. `Kind` tells the instances apart. Maximum errors against the exact maps:
+// accuracy::conspicuity_share and accuracy::saliency_share of the largest value.
+#pragma once
+
+#include "sailmap/hls/arithmetic.hpp"
+#include "sailmap/hls/geometry.hpp"
+#include "sailmap/hls/kinds.hpp"
+#include "sailmap/hls/lanes.hpp"
+#include "sailmap/hls/pragmas.hpp"
+#include "sailmap/hls/stream.hpp"
+
+namespace sailmap {
+namespace hls {
+
+template <class Config, int Count, int Kind>
+void gains(stream<uint32_t>& statistics, stream<uint32_t>& statistics_out, stream<uint32_t>& gains_out) {
+#pragma nounroll
+  for (int i = 0; i < Count; ++i) {
+    const uint32_t maximum = statistics.read();
+    const uint32_t maxima = statistics.read();
+    statistics_out.write(maximum);
+    statistics_out.write(maxima);
+    const Gain g = gain(maximum, maxima);
+    gains_out.write(g.mantissa);
+    gains_out.write(static_cast<uint32_t>(g.shift));
+  }
+}
+
+// The sum of normalised maps at its named point.
+template <int Kind>
+inline uint16_t normalised_sum(uint32_t sum) {
+  return Kind == intensity_kind     ? intensity_conspicuity(sum)
+         : Kind == colour_kind      ? colour_conspicuity(sum)
+         : Kind == orientation_kind ? orientation_conspicuity(sum)
+                                    : saliency(sum);
+}
+
+template <int Count>
+struct LaneGains {
+  Gain own;
+  LaneGains<Count - 1> rest;
+
+  void read(stream<uint32_t>& in) {
+    own.mantissa = in.read();
+    own.shift = static_cast<int>(in.read());
+    rest.read(in);
+  }
+  // Sum of the normalised lanes.
+  template <class Word>
+  uint32_t sum(Word word) const {
+    return normalise(lane<0>(word), own) + rest.sum(static_cast<Word>(word >> lane_bits));
+  }
+};
+template <>
+struct LaneGains<0> {
+  void read(stream<uint32_t>& /*in*/) {}
+  template <class Word>
+  uint32_t sum(Word /*word*/) const {
+    return 0;
+  }
+};
+
+template <class Config, int Count, int Kind>
+void normalise(stream<uint32_t>& gains_in, stream<lanes_t<Count> >& maps, stream<lanes_t<Count> >& maps_out,
+               stream<uint16_t>& sum_out, uint16_t width, uint16_t height) {
+  const int pixels = geometry::base_side(width) * geometry::base_side(height);
+  LaneGains<Count> lanes = LaneGains<Count>();
+  lanes.read(gains_in);
+#pragma nounroll
+  for (int i = 0; i < pixels; ++i) {
+    SAILMAP_PIPELINE
+    const lanes_t<Count> word = maps.read();
+    const uint32_t sum = lanes.sum(word);
+    maps_out.write(word);
+    sum_out.write(normalised_sum<Kind>(sum));
+  }
+}
+
+}  // namespace hls
+}  // namespace sailmap

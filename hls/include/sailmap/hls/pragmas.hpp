@@ -1,0 +1,14 @@
+// Directives that only Vitis HLS understands. Bambu rejects them inside loops and pipelines by itself; g++
+// has no use for them. Interface and dataflow directives are written out where they apply, as all tools want.
+#pragma once
+
+#if defined(__SYNTHESIS__) && !defined(__BAMBU__)
+#define SAILMAP_PRAGMA(text) _Pragma(#text)
+#define SAILMAP_PIPELINE SAILMAP_PRAGMA(HLS pipeline II = 1)
+#define SAILMAP_PIPELINE_II(cycles) SAILMAP_PRAGMA(HLS pipeline II = cycles)
+#define SAILMAP_INLINE SAILMAP_PRAGMA(HLS inline)
+#else
+#define SAILMAP_PIPELINE
+#define SAILMAP_PIPELINE_II(cycles)
+#define SAILMAP_INLINE
+#endif

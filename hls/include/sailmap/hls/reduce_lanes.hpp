@@ -1,0 +1,296 @@
+// One level of the pyramid (spec 3), several pixels a word; the width of level `Fine` is a multiple of them.
+//
+// Streams in: five (intensity, green, blue, red, yellow) of words of Count = 2 or 4 pixels of that channel,
+// or, for Count = 8, ten: the left and the right four pixels of each beat. Out: five streams of words of
+// Count / 2 pixels. Formats: grey_sum (level 0) or intensity, colour. Latency: 2 rows and 1 word. II 1.
+// Error: see pyramid.hpp.
+//
+// The rows of a frame run on into each other: a word's sums wait for the next word, at the end of a row for
+// the first of the next row, so that no cycle is lost between rows.
+#pragma once
+
+#include "sailmap/hls/geometry.hpp"
+#include "sailmap/hls/lanes.hpp"
+#include "sailmap/hls/pragmas.hpp"
+#include "sailmap/hls/pyramid.hpp"
+#include "sailmap/hls/stream.hpp"
+
+namespace sailmap {
+namespace hls {
+
+template <class Config, int Fine, int Count>
+struct ReduceLanes {
+  static constexpr int fine = Fine;
+  static constexpr int columns = Config::level_width(Fine) / Count;
+};
+
+// Horizontal sums of a beat; a and b are the two pixels before it, `after` the one behind.
+template <class T>
+inline void row_sums(T a, T b, const Lanes<2, T>& p, T after, Lanes<1, uint32_t>& out) {
+  out.first = binomial(a, b, p.first, p.rest.first, after);
+}
+template <int Count, class T>
+inline void row_sums(T a, T b, const Lanes<Count, T>& p, T after, Lanes<Count / 2, uint32_t>& out) {
+  out.first = binomial(a, b, p.first, p.rest.first, p.rest.rest.first);
+  row_sums(p.first, p.rest.first, p.rest.rest, after, out.rest);
+}
+
+template <class T>
+inline T last_lane(const Lanes<1, T>& p) {
+  return p.first;
+}
+template <int Count, class T>
+inline T last_lane(const Lanes<Count, T>& p) {
+  return last_lane(p.rest);
+}
+template <class T>
+inline T last_but_one_lane(const Lanes<2, T>& p) {
+  return p.first;
+}
+template <int Count, class T>
+inline T last_but_one_lane(const Lanes<Count, T>& p) {
+  return last_but_one_lane(p.rest);
+}
+
+template <class Stage, int Channel>
+inline void add_lanes(int x, const Lanes<1, uint32_t>& row, RowKind kind, Lanes<1, uint16_t>& out) {
+  out.first = add_to_column<Stage, Channel, 1>(x, row.first, kind);
+}
+template <class Stage, int Channel, int Count>
+inline void add_lanes(int x, const Lanes<Count, uint32_t>& row, RowKind kind, Lanes<Count, uint16_t>& out) {
+  out.first = add_to_column<Stage, Channel, Count>(x, row.first, kind);
+  add_lanes<Stage, Channel>(x, row.rest, kind, out.rest);
+}
+
+template <class Stage, int Channel>
+inline void last_of_lanes(int x, Lanes<1, uint16_t>& out) {
+  out.first = last_of_column<Stage, Channel, 1>(x);
+}
+template <class Stage, int Channel, int Count>
+inline void last_of_lanes(int x, Lanes<Count, uint16_t>& out) {
+  out.first = last_of_column<Stage, Channel, Count>(x);
+  last_of_lanes<Stage, Channel>(x, out.rest);
+}
+
+// What a channel remembers along a row: the beat worked on, the one behind it and the two pixels before it.
+template <int Count>
+struct BeatWindow {
+  uint16_t a, b;
+  Lanes<Count, uint16_t> now;
+  Lanes<Count, uint16_t> next;
+
+  // To the next beat; `first` says that it begins a row, before which its first pixel is replicated.
+  void advance(bool first) {
+    a = first ? next.first : last_but_one_lane(now);
+    b = first ? next.first : last_lane(now);
+    now = next;
+  }
+};
+
+// Adds the beat at column word x; `last` says that it ends a row. Returns the samples of the next level.
+template <class Stage, int Channel, int Count>
+inline lanes_t<Count / 2> add_beat(int x, const BeatWindow<Count>& window, bool last, RowKind kind) {
+  Lanes<Count / 2, uint32_t> row = Lanes<Count / 2, uint32_t>();
+  row_sums(window.a, window.b, window.now, last ? last_lane(window.now) : window.next.first, row);
+  Lanes<Count / 2, uint16_t> out = Lanes<Count / 2, uint16_t>();
+  add_lanes<Stage, Channel>(x, row, kind, out);
+  return packed<lanes_t<Count / 2> >(out);
+}
+
+template <class Stage, int Channel, int Count>
+inline lanes_t<Count / 2> last_beat(int x) {
+  Lanes<Count / 2, uint16_t> out = Lanes<Count / 2, uint16_t>();
+  last_of_lanes<Stage, Channel>(x, out);
+  return packed<lanes_t<Count / 2> >(out);
+}
+
+// Where the flat loop over a frame is.
+struct BeatPosition {
+  int x;
+  int y;
+  void advance(int beats) {
+    const bool end = x + 1 == beats;
+    y = end ? y + 1 : y;
+    x = end ? 0 : x + 1;
+  }
+};
+
+template <int Count>
+struct FiveWindows {
+  BeatWindow<Count> intensity, green, blue, red, yellow;
+
+  void advance(bool first) {
+    intensity.advance(first);
+    green.advance(first);
+    blue.advance(first);
+    red.advance(first);
+    yellow.advance(first);
+  }
+};
+
+// Five words, one of each channel.
+template <class Word>
+struct FiveWords {
+  Word intensity, green, blue, red, yellow;
+};
+
+template <class Stage, int Count>
+inline FiveWords<lanes_t<Count / 2> > add_beats(BeatPosition at, int beats, int h,
+                                                const FiveWindows<Count>& windows) {
+  const RowKind kind = row_kind(at.y, h);
+  const bool last = at.x + 1 == beats;
+  FiveWords<lanes_t<Count / 2> > out = {0, 0, 0, 0, 0};
+  out.intensity = add_beat<Stage, 0, Count>(at.x, windows.intensity, last, kind);
+  out.green = add_beat<Stage, 1, Count>(at.x, windows.green, last, kind);
+  out.blue = add_beat<Stage, 2, Count>(at.x, windows.blue, last, kind);
+  out.red = add_beat<Stage, 3, Count>(at.x, windows.red, last, kind);
+  out.yellow = add_beat<Stage, 4, Count>(at.x, windows.yellow, last, kind);
+  return out;
+}
+
+// The last row.
+template <class Stage, int Count>
+inline void flush_beats(int beats, stream<lanes_t<Count / 2> >& intensity, stream<lanes_t<Count / 2> >& green,
+                        stream<lanes_t<Count / 2> >& blue, stream<lanes_t<Count / 2> >& red,
+                        stream<lanes_t<Count / 2> >& yellow) {
+#pragma nounroll
+  for (int x = 0; x < beats; ++x) {
+    SAILMAP_PIPELINE
+    intensity.write(last_beat<Stage, 0, Count>(x));
+    green.write(last_beat<Stage, 1, Count>(x));
+    blue.write(last_beat<Stage, 2, Count>(x));
+    red.write(last_beat<Stage, 3, Count>(x));
+    yellow.write(last_beat<Stage, 4, Count>(x));
+  }
+}
+
+template <class Config, int Fine, int Count>
+void reduce_lanes(stream<lanes_t<Count> >& intensity, stream<lanes_t<Count> >& green,
+                  stream<lanes_t<Count> >& blue, stream<lanes_t<Count> >& red,
+                  stream<lanes_t<Count> >& yellow, stream<lanes_t<Count / 2> >& intensity_out,
+                  stream<lanes_t<Count / 2> >& green_out, stream<lanes_t<Count / 2> >& blue_out,
+                  stream<lanes_t<Count / 2> >& red_out, stream<lanes_t<Count / 2> >& yellow_out,
+                  uint16_t width, uint16_t height) {
+  using Stage = ReduceLanes<Config, Fine, Count>;
+  const int h = geometry::level_side(height, Fine);
+  const int beats = geometry::level_side(width, Fine) / Count;
+  const int words = beats * h;
+  FiveWindows<Count> windows = FiveWindows<Count>();
+  unpack(intensity.read(), windows.intensity.next);
+  unpack(green.read(), windows.green.next);
+  unpack(blue.read(), windows.blue.next);
+  unpack(red.read(), windows.red.next);
+  unpack(yellow.read(), windows.yellow.next);
+  BeatPosition at = {0, 0};
+#pragma nounroll
+  for (int i = 1; i <= words; ++i) {
+    SAILMAP_PIPELINE
+    windows.advance(at.x == 0);
+    if (i < words) {
+      unpack(intensity.read(), windows.intensity.next);
+      unpack(green.read(), windows.green.next);
+      unpack(blue.read(), windows.blue.next);
+      unpack(red.read(), windows.red.next);
+      unpack(yellow.read(), windows.yellow.next);
+    }
+    const FiveWords<lanes_t<Count / 2> > out = add_beats<Stage>(at, beats, h, windows);
+    if (row_kind(at.y, h).emits()) {
+      intensity_out.write(out.intensity);
+      green_out.write(out.green);
+      blue_out.write(out.blue);
+      red_out.write(out.red);
+      yellow_out.write(out.yellow);
+    }
+    at.advance(beats);
+  }
+  flush_beats<Stage, Count>(beats, intensity_out, green_out, blue_out, red_out, yellow_out);
+}
+
+// Eight pixels from the words of their left and right halves.
+inline void unpack_halves(uint64_t left, uint64_t right, Lanes<8, uint16_t>& out) {
+  unpack(left, out);
+  unpack(right, out.rest.rest.rest.rest);
+}
+
+template <class Config, int Fine>
+void reduce_halves(stream<uint64_t>& intensity_left, stream<uint64_t>& green_left,
+                   stream<uint64_t>& blue_left, stream<uint64_t>& red_left, stream<uint64_t>& yellow_left,
+                   stream<uint64_t>& intensity_right, stream<uint64_t>& green_right,
+                   stream<uint64_t>& blue_right, stream<uint64_t>& red_right, stream<uint64_t>& yellow_right,
+                   stream<uint64_t>& intensity_out, stream<uint64_t>& green_out, stream<uint64_t>& blue_out,
+                   stream<uint64_t>& red_out, stream<uint64_t>& yellow_out, uint16_t width, uint16_t height) {
+  using Stage = ReduceLanes<Config, Fine, 8>;
+  const int h = geometry::level_side(height, Fine);
+  const int beats = geometry::level_side(width, Fine) / 8;
+  const int words = beats * h;
+  FiveWindows<8> windows = FiveWindows<8>();
+  unpack_halves(intensity_left.read(), intensity_right.read(), windows.intensity.next);
+  unpack_halves(green_left.read(), green_right.read(), windows.green.next);
+  unpack_halves(blue_left.read(), blue_right.read(), windows.blue.next);
+  unpack_halves(red_left.read(), red_right.read(), windows.red.next);
+  unpack_halves(yellow_left.read(), yellow_right.read(), windows.yellow.next);
+  BeatPosition at = {0, 0};
+#pragma nounroll
+  for (int i = 1; i <= words; ++i) {
+    SAILMAP_PIPELINE
+    windows.advance(at.x == 0);
+    if (i < words) {
+      unpack_halves(intensity_left.read(), intensity_right.read(), windows.intensity.next);
+      unpack_halves(green_left.read(), green_right.read(), windows.green.next);
+      unpack_halves(blue_left.read(), blue_right.read(), windows.blue.next);
+      unpack_halves(red_left.read(), red_right.read(), windows.red.next);
+      unpack_halves(yellow_left.read(), yellow_right.read(), windows.yellow.next);
+    }
+    const FiveWords<uint64_t> out = add_beats<Stage>(at, beats, h, windows);
+    if (row_kind(at.y, h).emits()) {
+      intensity_out.write(out.intensity);
+      green_out.write(out.green);
+      blue_out.write(out.blue);
+      red_out.write(out.red);
+      yellow_out.write(out.yellow);
+    }
+    at.advance(beats);
+  }
+  flush_beats<Stage, 8>(beats, intensity_out, green_out, blue_out, red_out, yellow_out);
+}
+
+// From words of Count = 1 or 2 pixels on five streams to one pixel a word, colours as lanes: the form of the
+// levels that carry maps. II: Count cycles a word.
+template <class Config, int Level>
+void serialise_1(stream<uint16_t>& intensity, stream<uint16_t>& green, stream<uint16_t>& blue,
+                 stream<uint16_t>& red, stream<uint16_t>& yellow, stream<uint16_t>& intensity_out,
+                 stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
+  const int words = geometry::level_side(width, Level) * geometry::level_side(height, Level);
+#pragma nounroll
+  for (int i = 0; i < words; ++i) {
+    SAILMAP_PIPELINE
+    intensity_out.write(intensity.read());
+    const uint16_t g = green.read();
+    const uint16_t b = blue.read();
+    const uint16_t r = red.read();
+    const uint16_t y = yellow.read();
+    colours_out.write(pack(g, b, r, y));
+  }
+}
+template <class Config, int Level>
+void serialise_2(stream<uint32_t>& intensity, stream<uint32_t>& green, stream<uint32_t>& blue,
+                 stream<uint32_t>& red, stream<uint32_t>& yellow, stream<uint16_t>& intensity_out,
+                 stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
+  const int words = geometry::level_side(width, Level) / 2 * geometry::level_side(height, Level);
+#pragma nounroll
+  for (int i = 0; i < words; ++i) {
+    SAILMAP_PIPELINE_II(2)
+    const uint32_t grey = intensity.read();
+    const uint32_t g = green.read();
+    const uint32_t b = blue.read();
+    const uint32_t r = red.read();
+    const uint32_t y = yellow.read();
+    intensity_out.write(lane<0>(grey));
+    colours_out.write(pack(lane<0>(g), lane<0>(b), lane<0>(r), lane<0>(y)));
+    intensity_out.write(lane<1>(grey));
+    colours_out.write(pack(lane<1>(g), lane<1>(b), lane<1>(r), lane<1>(y)));
+  }
+}
+
+}  // namespace hls
+}  // namespace sailmap

@@ -1,0 +1,46 @@
+// Plumbing around the conspicuity maps (spec 7): the three kinds as lanes of one word, and one stream of
+// statistics.
+#pragma once
+
+#include "sailmap/hls/geometry.hpp"
+#include "sailmap/hls/lanes.hpp"
+#include "sailmap/hls/pragmas.hpp"
+#include "sailmap/hls/stream.hpp"
+
+namespace sailmap {
+namespace hls {
+
+// C_I, C_C and C_O of a pixel as lanes. Base level, raster order; latency 0, II 1, exact.
+template <class Config>
+void join_conspicuities(stream<uint16_t>& intensity, stream<uint16_t>& colour, stream<uint16_t>& orientation,
+                        stream<uint64_t>& out, uint16_t width, uint16_t height) {
+  const int pixels = geometry::base_side(width) * geometry::base_side(height);
+#pragma nounroll
+  for (int i = 0; i < pixels; ++i) {
+    SAILMAP_PIPELINE
+    const uint16_t i_word = intensity.read();
+    const uint16_t c_word = colour.read();
+    const uint16_t o_word = orientation.read();
+    out.write(pack(i_word, c_word, o_word, 0));
+  }
+}
+
+// Maximum and m of each map: the ten feature maps in the order of section 6, then C_I, C_C and C_O. 26 words
+// a frame.
+constexpr int statistics_words = 2 * (geometry::feature_maps + geometry::conspicuity_maps);
+
+template <class Config>
+void collect_statistics(stream<uint32_t>& intensity, stream<uint32_t>& colour, stream<uint32_t>& orientation,
+                        stream<uint32_t>& conspicuity, stream<uint32_t>& out) {
+#pragma nounroll
+  for (int i = 0; i < 2 * geometry::intensity_maps; ++i) out.write(intensity.read());
+#pragma nounroll
+  for (int i = 0; i < 2 * geometry::colour_maps; ++i) out.write(colour.read());
+#pragma nounroll
+  for (int i = 0; i < 2 * geometry::orientation_maps; ++i) out.write(orientation.read());
+#pragma nounroll
+  for (int i = 0; i < 2 * geometry::conspicuity_maps; ++i) out.write(conspicuity.read());
+}
+
+}  // namespace hls
+}  // namespace sailmap

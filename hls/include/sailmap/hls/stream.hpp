@@ -1,0 +1,40 @@
+// The FIFO between stages, and the two macros a dataflow region is written with.
+//
+// Under Vitis HLS and Bambu the FIFO is the tool's hls::stream and a stage is a plain call. In C simulation
+// (SAILMAP_CSIM, set by the build target sailmap_csim) the FIFO is ours, bounded and named, and a stage is a
+// task of the scheduler. Kernels use read() and write() and nothing else.
+#pragma once
+
+#ifdef SAILMAP_CSIM
+
+#include "sailmap/csim/stream.hpp"
+
+namespace sailmap {
+namespace hls {
+template <class T>
+using stream = csim::Stream<T>;
+}  // namespace hls
+}  // namespace sailmap
+
+// A FIFO of a dataflow region; `name` is also what C simulation calls it.
+#define SAILMAP_STREAM(type, name) static ::sailmap::csim::Stream<type> name(#name)
+// A stage of a dataflow region: SAILMAP_STAGE((function<arguments>), streams..., scalars...). The function is
+// in brackets because its template arguments have commas.
+#define SAILMAP_STAGE(function, ...) ::sailmap::csim::launch(#function, function, __VA_ARGS__)
+
+#else
+
+#include <hls_stream.h>
+
+namespace sailmap {
+namespace hls {
+template <class T>
+using stream = ::hls::stream<T>;
+}  // namespace hls
+}  // namespace sailmap
+
+#define SAILMAP_WITHOUT_BRACKETS(...) __VA_ARGS__
+#define SAILMAP_STREAM(type, name) static ::sailmap::hls::stream<type> name
+#define SAILMAP_STAGE(function, ...) SAILMAP_WITHOUT_BRACKETS function(__VA_ARGS__)
+
+#endif

@@ -1,0 +1,44 @@
+// Tops: each kernel alone, on the level where it works hardest, for its own area and cycles. The streams are
+// those of the stage's header.
+#pragma once
+
+#include <cstdint>
+
+#include "configuration.hpp"
+#include "sailmap/hls/stream.hpp"
+
+void sailmap_channels(sailmap::hls::stream<uint32_t>& red, sailmap::hls::stream<uint32_t>& green,
+                      sailmap::hls::stream<uint32_t>& blue, sailmap::hls::stream<uint64_t>& intensity_out,
+                      sailmap::hls::stream<uint64_t>& green_out, sailmap::hls::stream<uint64_t>& blue_out,
+                      sailmap::hls::stream<uint64_t>& red_out, sailmap::hls::stream<uint64_t>& yellow_out,
+                      uint16_t width, uint16_t height);
+void sailmap_reduce_lanes(sailmap::hls::stream<uint64_t>& intensity, sailmap::hls::stream<uint64_t>& green,
+                          sailmap::hls::stream<uint64_t>& blue, sailmap::hls::stream<uint64_t>& red,
+                          sailmap::hls::stream<uint64_t>& yellow,
+                          sailmap::hls::stream<uint32_t>& intensity_out,
+                          sailmap::hls::stream<uint32_t>& green_out, sailmap::hls::stream<uint32_t>& blue_out,
+                          sailmap::hls::stream<uint32_t>& red_out, sailmap::hls::stream<uint32_t>& yellow_out,
+                          uint16_t width, uint16_t height);
+void sailmap_reduce_pixels(sailmap::hls::stream<uint16_t>& intensity, sailmap::hls::stream<uint64_t>& colours,
+                           sailmap::hls::stream<uint16_t>& intensity_out,
+                           sailmap::hls::stream<uint64_t>& colours_out, uint16_t width, uint16_t height);
+void sailmap_delay_line(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint64_t>& out,
+                        uint16_t width, uint16_t height);
+void sailmap_centre_surround(sailmap::hls::stream<uint16_t>& intensity,
+                             sailmap::hls::stream<uint64_t>& colours,
+                             sailmap::hls::stream<uint32_t>& intensity_out,
+                             sailmap::hls::stream<uint64_t>& colours_out, uint16_t width, uint16_t height);
+void sailmap_orientation(sailmap::hls::stream<uint16_t>& intensity, sailmap::hls::stream<uint64_t>& energies,
+                         uint16_t width, uint16_t height);
+void sailmap_across_scales(sailmap::hls::stream<uint64_t>& coarse, sailmap::hls::stream<uint64_t>& fine,
+                           sailmap::hls::stream<uint64_t>& out, uint16_t width, uint16_t height);
+void sailmap_local_maxima(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint64_t>& out,
+                          sailmap::hls::stream<uint8_t>& flags, uint16_t width, uint16_t height);
+void sailmap_store(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint8_t>& in_flags,
+                   sailmap::hls::stream<uint32_t>& statistics, sailmap::hls::stream<uint64_t>& out,
+                   uint16_t width, uint16_t height);
+void sailmap_gains(sailmap::hls::stream<uint32_t>& statistics, sailmap::hls::stream<uint32_t>& statistics_out,
+                   sailmap::hls::stream<uint32_t>& gains_out);
+void sailmap_normalise(sailmap::hls::stream<uint32_t>& gains, sailmap::hls::stream<uint64_t>& maps,
+                       sailmap::hls::stream<uint64_t>& maps_out, sailmap::hls::stream<uint16_t>& sum_out,
+                       uint16_t width, uint16_t height);

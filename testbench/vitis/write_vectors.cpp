@@ -1,0 +1,344 @@
+// Writes the words of one synthesis top's test bench (scripts/vitis/testbench.hpp has the format), in and
+// out, from the quantised reference: write_vectors TOP BEAT FILE. Three frames of different size; no kernel
+// code takes part.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "csim/expected.hpp"
+#include "csim/frames.hpp"
+
+namespace sailmap::testing {
+namespace {
+
+namespace point = ref::point;
+using ref::Quantised;
+using Planes = std::vector<Plane<double>>;
+
+// One call of a top, as text.
+class Call {
+ public:
+  Call() { text_ << "call\n"; }
+  void size(const csim::Frame& frame) {
+    text_ << "scalar width " << frame.width << "\nscalar height " << frame.height << '\n';
+  }
+  template <class Word>
+  void words(const std::string& port, const std::vector<Word>& words) {
+    header(port, words.size());
+    for (const Word word : words) text_ << ' ' << std::uint64_t{word};
+    text_ << std::dec << '\n';
+  }
+  // As AXI4-Stream packets of `row` words, the first marked as the start of the frame.
+  template <class Word>
+  void packets(const std::string& port, const std::vector<Word>& words, std::size_t row) {
+    header(port, words.size());
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      text_ << ' ' << words[i] << (i == 0 ? ":1:" : ":0:") << ((i + 1) % row == 0 ? 1 : 0);
+    }
+    text_ << std::dec << '\n';
+  }
+  [[nodiscard]] std::string text() const { return text_.str(); }
+
+ private:
+  void header(const std::string& port, std::size_t count) {
+    text_ << "words " << port << ' ' << count << std::hex;
+  }
+  std::ostringstream text_;
+};
+
+// What the reference makes of one frame on the way to the feature maps; colours are green, blue, red, yellow.
+struct Stages {
+  explicit Stages(const csim::Frame& frame) {
+    ref::Channels channels = ref::channels<Quantised>(view(frame));
+    intensity = ref::pyramid<Quantised, point::intensity>(channels.intensity);
+    for (Plane<double>* colour : {&channels.green, &channels.blue, &channels.red, &channels.yellow}) {
+      colours.push_back(ref::pyramid<Quantised, point::colour>(*colour));
+      contrasts.push_back(ref::each_level(colours.back(), [](const Plane<double>& level) {
+        return ref::centre_surround<Quantised, point::colour_contrast>(level).on;
+      }));
+      features.push_back(
+          ref::across_scales<Quantised, point::colour_partial, point::colour_feature>(contrasts.back()));
+      statistics.push_back(ref::statistics(features.back(), Quantised::tie));
+    }
+  }
+  [[nodiscard]] Planes colours_of(std::size_t level) const {
+    return {colours[0][level], colours[1][level], colours[2][level], colours[3][level]};
+  }
+
+  ref::Pyramid intensity;
+  std::vector<ref::Pyramid> colours;
+  std::vector<ref::LevelMaps> contrasts;
+  Planes features;
+  std::vector<MapStatistics> statistics;
+};
+
+// Four maps as lanes.
+template <class Point>
+std::vector<std::uint64_t> four(const Planes& maps) {
+  return lanes<std::uint64_t, Point, 4>({&maps[0], &maps[1], &maps[2], &maps[3]});
+}
+
+// `count` neighbouring words of `bits` bits as one, the left one low.
+template <class Word, class Part>
+std::vector<Word> grouped(const std::vector<Part>& parts, std::size_t count, int bits) {
+  std::vector<Word> words(parts.size() / count);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::uint64_t shifted = std::uint64_t{parts[i]} << (bits * static_cast<int>(i % count));
+    words[i / count] = static_cast<Word>(words[i / count] | shifted);
+  }
+  return words;
+}
+
+// A plane, `Word` full of neighbours.
+template <class Word, class Point>
+std::vector<Word> neighbours(const Plane<double>& plane) {
+  return grouped<Word>(lanes<std::uint16_t, Point, 1>({&plane}), sizeof(Word) / 2, 16);
+}
+
+constexpr std::array<const char*, 4> colour_names = {"green", "blue", "red", "yellow"};
+
+// Red, green or blue bytes, `beat` a word.
+std::vector<std::uint64_t> bytes(const csim::Frame& frame, std::size_t component, std::size_t beat) {
+  std::vector<std::uint8_t> samples;
+  for (std::size_t i = component; i < frame.rgb.size(); i += 3) samples.push_back(frame.rgb[i]);
+  return grouped<std::uint64_t>(samples, beat, 8);
+}
+
+void components(Call& call, const csim::Frame& frame, std::size_t beat) {
+  call.words("red", bytes(frame, 0, beat));
+  call.words("green", bytes(frame, 1, beat));
+  call.words("blue", bytes(frame, 2, beat));
+}
+
+void channels(Call& call, const csim::Frame& frame, const Stages& stages) {
+  components(call, frame, 4);
+  call.words("intensity_out", neighbours<std::uint64_t, point::grey_sum>(stages.intensity[0]));
+  for (std::size_t i = 0; i < 4; ++i) {
+    call.words(std::string(colour_names[i]) + "_out",
+               neighbours<std::uint64_t, point::colour>(stages.colours[i][0]));
+  }
+}
+
+void reduce_lanes(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  call.words("intensity", neighbours<std::uint64_t, point::grey_sum>(stages.intensity[0]));
+  call.words("intensity_out", neighbours<std::uint32_t, point::intensity>(stages.intensity[1]));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::string name = colour_names[i];
+    call.words(name, neighbours<std::uint64_t, point::colour>(stages.colours[i][0]));
+    call.words(name + "_out", neighbours<std::uint32_t, point::colour>(stages.colours[i][1]));
+  }
+}
+
+void reduce_pixels(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  call.words("intensity", neighbours<std::uint16_t, point::intensity>(stages.intensity[2]));
+  call.words("colours", four<point::colour>(stages.colours_of(2)));
+  call.words("intensity_out", neighbours<std::uint16_t, point::intensity>(stages.intensity[3]));
+  call.words("colours_out", four<point::colour>(stages.colours_of(3)));
+}
+
+void delay_line(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  call.words("in", four<point::colour>(stages.colours_of(2)));
+  call.words("out", four<point::colour>(stages.colours_of(2)));
+}
+
+void centre_surround(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  const ref::Contrast grey = ref::centre_surround<Quantised, point::intensity_contrast>(stages.intensity[2]);
+  Planes contrasts;
+  for (const ref::LevelMaps& levels : stages.contrasts) contrasts.push_back(levels[0]);
+  call.words("intensity", neighbours<std::uint16_t, point::intensity>(stages.intensity[2]));
+  call.words("colours", four<point::colour>(stages.colours_of(2)));
+  call.words("intensity_out", lanes<std::uint32_t, point::intensity_contrast, 2>({&grey.on, &grey.off}));
+  call.words("colours_out", four<point::colour_contrast>(contrasts));
+}
+
+void orientation(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  Planes energies;
+  for (int i = 0; i < 4; ++i) energies.push_back(ref::gabor_energy<Quantised>(stages.intensity[2], i));
+  call.words("intensity", neighbours<std::uint16_t, point::intensity>(stages.intensity[2]));
+  call.words("energies", four<point::gabor_energy>(energies));
+}
+
+void across_scales(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  Planes partials;
+  Planes fine;
+  for (const ref::LevelMaps& levels : stages.contrasts) {
+    const Plane<double>& middle = levels[1];
+    Plane<double> sum = ref::interpolate(levels[2], middle.width(), middle.height());
+    for (std::size_t i = 0; i < sum.samples().size(); ++i) {
+      sum.samples()[i] = Quantised::at<point::colour_partial>(sum.samples()[i] + middle.samples()[i]);
+    }
+    partials.push_back(sum);
+    fine.push_back(levels[0]);
+  }
+  call.words("coarse", four<point::colour_partial>(partials));
+  call.words("fine", four<point::colour_contrast>(fine));
+  call.words("out", four<point::colour_feature>(stages.features));
+}
+
+// A bit for each of the four feature maps.
+std::vector<std::uint8_t> local_maximum_flags(const Planes& maps) {
+  std::vector<std::uint8_t> flags;
+  for (int y = 0; y < maps[0].height(); ++y) {
+    for (int x = 0; x < maps[0].width(); ++x) {
+      unsigned word = 0;
+      for (std::size_t i = 0; i < 4; ++i) word |= (ref::is_local_maximum(maps[i], x, y) ? 1U : 0U) << i;
+      flags.push_back(static_cast<std::uint8_t>(word));
+    }
+  }
+  return flags;
+}
+
+void local_maxima(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  call.words("in", four<point::colour_feature>(stages.features));
+  call.words("out", four<point::colour_feature>(stages.features));
+  call.words("flags", local_maximum_flags(stages.features));
+}
+
+std::vector<std::uint32_t> statistics_words(const Stages& stages) {
+  std::vector<std::uint32_t> words;
+  for (const MapStatistics& map : stages.statistics) append_statistics<point::colour_feature>(map, words);
+  return words;
+}
+
+void store(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  call.words("in", four<point::colour_feature>(stages.features));
+  call.words("in_flags", local_maximum_flags(stages.features));
+  call.words("statistics", statistics_words(stages));
+  call.words("out", four<point::colour_feature>(stages.features));
+}
+
+// Mantissa and shift of each map's gain: (raw * mantissa) >> shift is the raw normalised value.
+std::vector<std::uint32_t> gain_words(const Stages& stages) {
+  std::vector<std::uint32_t> words;
+  for (const MapStatistics& map : stages.statistics) {
+    const auto maximum = static_cast<double>(raw<point::colour_feature>(map.maximum));
+    const int shift = maximum > 0 ? std::ilogb(maximum) + std::ilogb(std::sqrt(map.maxima)) : 0;
+    const double mantissa = std::ldexp(Quantised::gain(maximum, map.maxima), point::gain::fraction + shift);
+    words.push_back(static_cast<std::uint32_t>(mantissa));
+    words.push_back(static_cast<std::uint32_t>(shift));
+  }
+  return words;
+}
+
+void gains(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  call.words("statistics", statistics_words(stages));
+  call.words("statistics_out", statistics_words(stages));
+  call.words("gains_out", gain_words(stages));
+}
+
+void normalise(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  Planes normalised;
+  for (std::size_t i = 0; i < 4; ++i) {
+    normalised.push_back(
+        ref::normalise<Quantised, point::normalised>(stages.features[i], stages.statistics[i]));
+  }
+  const Plane<double> sum = ref::sum_of<Quantised, point::colour_conspicuity>(normalised);
+  call.words("gains", gain_words(stages));
+  call.words("maps", four<point::colour_feature>(stages.features));
+  call.words("maps_out", four<point::colour_feature>(stages.features));
+  call.words("sum_out", neighbours<std::uint16_t, point::colour_conspicuity>(sum));
+}
+
+void front_end(Call& call, const csim::Frame& frame, std::size_t beat) {
+  const csim::FrontEndWords words = expected(frame);
+  components(call, frame, beat);
+  call.words("intensity_maps", words.intensity_maps);
+  call.words("colour_maps", words.colour_maps);
+  call.words("orientation_maps", words.orientation_maps);
+  call.words("conspicuity_maps", words.conspicuity_maps);
+  call.words("saliency", words.saliency);
+  call.words("statistics", words.statistics);
+}
+
+// Beats of AXI4-Stream video: {R, B, G} of each pixel from high to low byte, the left pixel low; in
+// hexadecimal.
+std::vector<std::string> video(const csim::Frame& frame, std::size_t beat) {
+  static constexpr const char* digits = "0123456789abcdef";
+  std::vector<std::string> beats(frame.rgb.size() / (3 * beat));
+  for (std::size_t i = 0; i < frame.rgb.size() / 3; ++i) {
+    std::string pixel;
+    for (const std::size_t component : {0U, 2U, 1U}) {
+      const std::uint8_t byte = frame.rgb[3 * i + component];
+      pixel += {digits[byte >> 4], digits[byte & 15]};
+    }
+    beats[i / beat].insert(0, pixel);
+  }
+  return beats;
+}
+
+void axi(Call& call, const csim::Frame& frame, std::size_t beat, std::uint32_t frames) {
+  const csim::FrontEndWords words = expected(frame);
+  const auto row = static_cast<std::size_t>(hls::geometry::base_side(frame.width));
+  call.packets("video", video(frame, beat), static_cast<std::size_t>(frame.width) / beat);
+  call.packets("intensity_maps", words.intensity_maps, row);
+  call.packets("colour_maps", words.colour_maps, row);
+  call.packets("orientation_maps", words.orientation_maps, row);
+  call.packets("conspicuity_maps", words.conspicuity_maps, row);
+  call.packets("saliency", words.saliency, row);
+  call.packets("statistics", words.statistics, words.statistics.size());
+  // What a good frame writes: frames so far, then faults. `refused`, the last word, is not among it.
+  call.words("status", std::vector<std::uint32_t>{frames, 0, 0, 0, 0, 0, 0});
+}
+
+using StageWriter = std::function<void(Call&, const csim::Frame&, const Stages&)>;
+const std::map<std::string, StageWriter> stage_writers = {{"sailmap_channels", channels},
+                                                          {"sailmap_reduce_lanes", reduce_lanes},
+                                                          {"sailmap_reduce_pixels", reduce_pixels},
+                                                          {"sailmap_delay_line", delay_line},
+                                                          {"sailmap_centre_surround", centre_surround},
+                                                          {"sailmap_orientation", orientation},
+                                                          {"sailmap_across_scales", across_scales},
+                                                          {"sailmap_local_maxima", local_maxima},
+                                                          {"sailmap_store", store},
+                                                          {"sailmap_gains", gains},
+                                                          {"sailmap_normalise", normalise}};
+
+void write(const std::string& top, std::size_t beat, const std::string& path) {
+  const auto writer = stage_writers.find(top);
+  const bool whole = top == "sailmap_front_end" || top == "sailmap_axi";
+  if (writer == stage_writers.end() && !whole) throw std::runtime_error("unknown top " + top);
+  if (beat != 1 && beat != 2 && beat != 4 && beat != 8) throw std::runtime_error("a beat is 1, 2, 4 or 8");
+  std::mt19937 random(20);
+  const std::vector<csim::Frame> frames = {patches_frame(72, 64, random), noise_frame(64, 70, random),
+                                           constant_frame(64, 64, 200, 30, 90)};
+  std::ofstream file(path);
+  std::uint32_t count = 0;
+  for (const csim::Frame& frame : frames) {
+    Call call;
+    ++count;
+    if (top != "sailmap_gains") call.size(frame);
+    if (top == "sailmap_front_end") {
+      front_end(call, frame, beat);
+    } else if (top == "sailmap_axi") {
+      axi(call, frame, beat, count);
+    } else {
+      writer->second(call, frame, Stages(frame));
+    }
+    file << call.text();
+  }
+  if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
+}
+
+}  // namespace
+}  // namespace sailmap::testing
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 4) throw std::runtime_error("usage: write_vectors TOP BEAT FILE");
+    sailmap::testing::write(argv[1], std::stoul(argv[2]), argv[3]);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "write_vectors: " << error.what() << '\n';
+    return 1;
+  }
+}
