@@ -15,7 +15,8 @@ using testing::plane_of;
 
 TEST(Conspicuity, IsTheSumOfItsMaps) {
   const std::array<Plane<double>, 2> maps = {plane_of({{1, 0.5}, {0, 0}}), plane_of({{0, 0.25}, {0.125, 0}})};
-  EXPECT_EQ(ref::conspicuity<ref::Exact, ref::point::colour_conspicuity>(maps), plane_of({{1, 0.75}, {0.125, 0}}));
+  EXPECT_EQ((ref::conspicuity<ref::Exact, ref::point::colour_conspicuity>(maps)),
+            plane_of({{1, 0.75}, {0.125, 0}}));
 }
 
 TEST(Saliency, SumsTheConspicuitiesNormalisedOnceMore) {

@@ -1,4 +1,6 @@
+// Pictures into files.
 #include <opencv2/imgcodecs.hpp>
+#include <string>
 #include <vector>
 
 #include "sailmap/error.hpp"
@@ -8,16 +10,20 @@
 namespace sailmap {
 
 void write_image(const std::filesystem::path& path, const cv::Mat& image) {
+  const std::string name = path.string();
+  if (image.empty()) throw Error(name + ": there is no image to write");
   const std::string extension = path.extension().string();
+  if (extension.empty() || !cv::haveImageWriter(name)) {
+    throw Error(name + ": no image format is known by the extension '" + extension + "'");
+  }
   std::vector<std::uint8_t> bytes;
   bool encoded = false;
   try {
-    encoded = !extension.empty() && cv::imencode(extension, image, bytes);
+    encoded = cv::imencode(extension, image, bytes);
   } catch (const cv::Exception&) {
     encoded = false;
   }
-  if (!encoded)
-    throw Error(path.string() + ": no image format is known by the extension '" + extension + "'");
+  if (!encoded) throw Error(name + ": the format '" + extension + "' cannot hold this image");
   write_file(path, [&bytes](std::ostream& out) {
     out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   });

@@ -129,9 +129,7 @@ void write_poses(const fs::path& folder, const simulate::Drive& drive, int image
 
 void write_ground_truth(const fs::path& path, const GroundTruth& truth) {
   write_file(path, [&](std::ostream& out) {
-    out << "# query: earlier images of the same place\n";
     for (std::size_t query = 0; query < truth.matches.size(); ++query) {
-      if (truth.matches[query].empty()) continue;
       out << std::to_string(query) << ':';
       for (const int match : truth.matches[query]) out << ' ' << std::to_string(match);
       out << '\n';

@@ -27,7 +27,8 @@ cv::Rect inked(const cv::Mat& image) {
   cv::Mat grey;
   cv::Mat mask(image.size(), CV_8UC1);
   for (int y = 0; y < image.rows; ++y) {
-    for (int x = 0; x < image.cols; ++x) mask.at<std::uint8_t>(y, x) = image.at<cv::Vec3b>(y, x) != white ? 255 : 0;
+    for (int x = 0; x < image.cols; ++x)
+      mask.at<std::uint8_t>(y, x) = image.at<cv::Vec3b>(y, x) != white ? 255 : 0;
   }
   int left = image.cols;
   int right = -1;
@@ -104,8 +105,8 @@ TEST_P(TextTest, AWordWiderThanALineIsBroken) {
 
 TEST_P(TextTest, TooLongCaptionsLoseTheirMiddle) {
   cv::Mat canvas = paper();
-  text_.draw_within(canvas, "a caption that is far too long to be drawn in this place", {10, 30}, 16, drawing::black,
-                    150);
+  text_.draw_within(canvas, "a caption that is far too long to be drawn in this place", {10, 30}, 16,
+                    drawing::black, 150);
   EXPECT_LE(inked(canvas).br().x, 10 + 150 + 3);
   EXPECT_GT(inked(canvas).width, 110);
 }

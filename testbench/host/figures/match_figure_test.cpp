@@ -13,8 +13,8 @@ namespace {
 using testing::bytes;
 using testing::colour_at;
 using testing::count_colour;
-using testing::picture;
 using ::testing::HasSubstr;
+using testing::picture;
 using ::testing::ThrowsMessage;
 
 const cv::Vec3b thin_colour(215, 215, 215);
@@ -24,7 +24,8 @@ cv::Mat flat(int width, int height, int grey) { return {height, width, CV_8UC3, 
 
 Signature regions_at(int width, int height, const std::vector<cv::Point>& places) {
   Signature s{width, height, {}};
-  for (const cv::Point& at : places) s.regions.push_back({static_cast<double>(at.x), static_cast<double>(at.y), 1, {}});
+  for (const cv::Point& at : places)
+    s.regions.push_back({static_cast<double>(at.x), static_cast<double>(at.y), 1, {}});
   return s;
 }
 
@@ -59,12 +60,14 @@ TEST(MatchFigure, MatchedBoxesAreThickAndColouredOthersThin) {
   const cv::Vec3b colour = bytes(drawing::distinct_colour(0));
   // Left edges half-way down: box 40 level-0 pixels wide round the region.
   const auto left_edge = [](const cv::Rect& panel, int x, int y) { return placed(panel, x - 20, y + 10); };
-  for (const cv::Point& edge : {left_edge(d.layout.query, 240, 240), left_edge(d.layout.candidate, 240, 320)}) {
+  for (const cv::Point& edge :
+       {left_edge(d.layout.query, 240, 240), left_edge(d.layout.candidate, 240, 320)}) {
     for (int i = 0; i < 3; ++i) EXPECT_EQ(colour_at(d.with, edge.x + i, edge.y), colour) << i;
     EXPECT_EQ(colour_at(d.without, edge.x, edge.y), thin_colour);
     EXPECT_EQ(colour_at(d.without, edge.x + 1, edge.y), cv::Vec3b(0, 0, 0));
   }
-  for (const cv::Point& edge : {left_edge(d.layout.query, 800, 400), left_edge(d.layout.candidate, 600, 80)}) {
+  for (const cv::Point& edge :
+       {left_edge(d.layout.query, 800, 400), left_edge(d.layout.candidate, 600, 80)}) {
     EXPECT_EQ(colour_at(d.with, edge.x, edge.y), thin_colour);
     EXPECT_EQ(colour_at(d.with, edge.x + 1, edge.y), cv::Vec3b(0, 0, 0));
   }
@@ -93,15 +96,16 @@ TEST(MatchFigure, ALineJoinsTheCentresAndCarriesTheDistance) {
 
 TEST(MatchFigure, TheVerdictIsWrappedBeneathTheImages) {
   const auto draw = [](const std::string& verdict) {
-    return match_figure(flat(160, 120, 60), flat(160, 120, 90), regions_at(160, 120, {}), regions_at(160, 120, {}), {},
-                        10, verdict);
+    return match_figure(flat(160, 120, 60), flat(160, 120, 90), regions_at(160, 120, {}),
+                        regions_at(160, 120, {}), {}, 10, verdict);
   };
   std::string lengthy = "no";
   for (int i = 0; i < 60; ++i) lengthy += " because of this and that";
   const cv::Mat brief = draw("no");
   const cv::Mat full = draw(lengthy);
   EXPECT_EQ(brief.cols, full.cols);
-  const auto lines = drawing::Text().wrapped(lengthy, MatchLayout::verdict_size, MatchLayout::text_width).size();
+  const auto lines =
+      drawing::Text().wrapped(lengthy, MatchLayout::verdict_size, MatchLayout::text_width).size();
   EXPECT_GE(lines, 8U);
   EXPECT_EQ(full.rows, brief.rows + static_cast<int>(lines - 1) * MatchLayout::verdict_line);
   // Nothing is cut off at the right, and the last line is there.
@@ -148,7 +152,8 @@ TEST(MatchFigure, LabelsEvadeOneAnotherAndTheBoxes) {
   ASSERT_EQ(labels.size(), lines.size());
   for (std::size_t a = 0; a < labels.size(); ++a) {
     EXPECT_EQ((labels[a] & boxes[0]).area(), 0) << a;
-    for (std::size_t b = a + 1; b < labels.size(); ++b) EXPECT_EQ((labels[a] & labels[b]).area(), 0) << a << ' ' << b;
+    for (std::size_t b = a + 1; b < labels.size(); ++b)
+      EXPECT_EQ((labels[a] & labels[b]).area(), 0) << a << ' ' << b;
     // On its line.
     const double x = labels[a].x + labels[a].width / 2.0;
     const double y = 200 + 6.0 * static_cast<double>(a) + 10 * (x - 100) / 800;
@@ -172,7 +177,8 @@ TEST(MatchFigure, RefusesWhatDoesNotBelongTogether) {
   EXPECT_THAT(draw({}, image, {}, 10), ThrowsMessage<Error>(HasSubstr("query: there is no image")));
   EXPECT_THAT(draw(image, {}, {}, 10), ThrowsMessage<Error>(HasSubstr("candidate: there is no image")));
   EXPECT_THAT(draw(flat(960, 500, 0), image, {}, 10), ThrowsMessage<Error>(HasSubstr("query is 960x500")));
-  EXPECT_THAT(draw(image, flat(100, 540, 0), {}, 10), ThrowsMessage<Error>(HasSubstr("candidate is 100x540")));
+  EXPECT_THAT(draw(image, flat(100, 540, 0), {}, 10),
+              ThrowsMessage<Error>(HasSubstr("candidate is 100x540")));
   EXPECT_THAT(draw(image, image, {1, {{2, 0, 1}}}, 10), ThrowsMessage<Error>(HasSubstr("regions 2 and 0")));
   EXPECT_THAT(draw(image, image, {1, {{0, -1, 1}}}, 10), ThrowsMessage<Error>(HasSubstr("regions 0 and -1")));
   EXPECT_THAT(draw(image, image, {}, 0), ThrowsMessage<Error>(HasSubstr("box side 0")));

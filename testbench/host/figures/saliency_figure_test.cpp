@@ -17,8 +17,8 @@ using testing::colour_at;
 using testing::count_colour;
 using testing::Described;
 using testing::described;
-using testing::picture;
 using ::testing::HasSubstr;
+using testing::picture;
 using ::testing::ThrowsMessage;
 
 const cv::Vec3b region_colour(0, 230, 255);
@@ -34,8 +34,8 @@ double between(const Plane<double>& map, double x, double y) {
          fy * ((1 - fx) * map.clamped(x0, y0 + 1) + fx * map.clamped(x0 + 1, y0 + 1));
 }
 
-// The panel shows the map, 0 black and its maximum white, enlarged. Grey levels of the samples are rounded first, so
-// that a pixel may be off by one.
+// The panel shows the map, 0 black and its maximum white, enlarged. Grey levels of the samples are rounded
+// first, so that a pixel may be off by one.
 void expect_panel_shows(const cv::Mat& figure, const cv::Rect& place, const Map& map) {
   const Plane<double> values = map.values();
   double maximum = 0;
@@ -72,8 +72,11 @@ Described made_up(int width, int height) {
   const int w = hls::geometry::base_side(width);
   const int h = hls::geometry::base_side(height);
   unsigned seed = 10;
-  for (Map& map : d.maps.features) map.samples = noise(w, h, seed++, seed);
-  for (Map& map : d.maps.conspicuities) map.samples = noise(w, h, seed++, 0.5);
+  for (Map& map : d.maps.features) {
+    ++seed;
+    map.samples = noise(w, h, seed, seed);
+  }
+  for (Map& map : d.maps.conspicuities) map.samples = noise(w, h, ++seed, 0.5);
   Plane<std::uint16_t> raw(w, h);
   std::mt19937 random(99);
   for (auto& v : raw.samples()) v = static_cast<std::uint16_t>(random() % 60000);
@@ -156,21 +159,25 @@ TEST(SaliencyFigure, ABoxAtTheBorderIsCutThere) {
 
 // Numbers of regions whose boxes overlap must all be readable: as many tags as regions, none upon another.
 TEST(SaliencyFigure, RealRegionsOfAllShapesStayInTheirPanels) {
-  for (const auto& [w, h] : {std::pair{64, 64}, {640, 480}, {1024, 64}, {64, 1024}, {640, 128}, {2048, 1500}}) {
+  for (const auto& [w, h] :
+       {std::pair{64, 64}, {640, 480}, {1024, 64}, {64, 1024}, {640, 128}, {2048, 1500}}) {
     SCOPED_TRACE(std::to_string(w) + "x" + std::to_string(h));
     const Described d = described(picture(w, h));
     ASSERT_FALSE(d.signature.regions.empty());
     const std::string title =
-        "a title that is much too long for one line, whatever the picture's shape may be, so that it is broken into "
-        "several lines and so on and so on and a_word_without_any_space_that_is_wider_than_the_whole_figure_could_"
+        "a title that is much too long for one line, whatever the picture's shape may be, so that it is "
+        "broken into "
+        "several lines and so on and so on and "
+        "a_word_without_any_space_that_is_wider_than_the_whole_figure_could_"
         "ever_be_because_some_paths_are_like_that_and_go_on_and_on_and_on_for_ever_and_ever_amen/0001.jpg";
     const cv::Mat figure = saliency_figure(d.image, d.maps, d.signature, 10, title);
     EXPECT_GT(figure.cols, 1200);
     EXPECT_LT(figure.cols, 1700);
     EXPECT_LT(figure.rows, 2600);
     // Nothing is cut: the outermost pixels are white.
-    for (const cv::Rect& edge : {cv::Rect(0, 0, 20, figure.rows), cv::Rect(figure.cols - 20, 0, 20, figure.rows),
-                                 cv::Rect(0, 0, figure.cols, 20), cv::Rect(0, figure.rows - 18, figure.cols, 18)}) {
+    for (const cv::Rect& edge :
+         {cv::Rect(0, 0, 20, figure.rows), cv::Rect(figure.cols - 20, 0, 20, figure.rows),
+          cv::Rect(0, 0, figure.cols, 20), cv::Rect(0, figure.rows - 18, figure.cols, 18)}) {
       EXPECT_EQ(count_colour(figure(edge), white), edge.area());
     }
     EXPECT_GT(count_colour(figure, region_colour), 20);
@@ -198,7 +205,8 @@ TEST(SaliencyFigure, NoTwoPanelsOfALayoutMeetAndCaptionsFit) {
         for (std::size_t b = a + 1; b < panels.size(); ++b) EXPECT_EQ((panels[a] & panels[b]).area(), 0);
       }
       // Captions are centred beneath their panels and those of neighbours must not meet.
-      const int widest = drawing::Text().width("intensity_off: max 0.0123, m = 123", SaliencyLayout::caption_size);
+      const int widest =
+          drawing::Text().width("intensity_off: max 0.0123, m = 123", SaliencyLayout::caption_size);
       for (const int room : layout.feature_rooms) EXPECT_GE(room, std::min(widest, 230));
       EXPECT_LT(layout.canvas.area(), 1700 * 2600);
     }
@@ -210,7 +218,9 @@ TEST(SaliencyFigure, GreyImagesAndThoseWithAlphaAreShownToo) {
   const cv::Mat grey(96, 128, CV_8UC1, cv::Scalar(77));
   const cv::Mat alpha(96, 128, CV_8UC4, cv::Scalar(10, 20, 30, 0));
   const cv::Rect place = lay_out_saliency({128, 96}, 0).image;
-  const auto shown = [&](const cv::Mat& image) { return saliency_figure(image, d.maps, d.signature, 10, "")(place); };
+  const auto shown = [&](const cv::Mat& image) {
+    return saliency_figure(image, d.maps, d.signature, 10, "")(place);
+  };
   EXPECT_EQ(count_colour(shown(grey), {77, 77, 77}), place.area());
   EXPECT_EQ(count_colour(shown(alpha), {10, 20, 30}), place.area());
 }
