@@ -101,7 +101,10 @@ class Figure {
   cv::Mat canvas_;
 };
 
-MapStatistics statistics(const Map& map) { return ref::statistics(map.values(), ref::Exact::tie); }
+MapStatistics statistics(const Map& map) {
+  if (map.width() == 0) throw Error("saliency figure: a map is empty");
+  return ref::statistics(map.values(), ref::Exact::tie);
+}
 
 std::string caption(std::string_view name, const MapStatistics& s) {
   return fmt::format("{}: max {:.3g}, m = {}", name, s.maximum, s.maxima);

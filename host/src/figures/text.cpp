@@ -15,7 +15,7 @@ constexpr int stroke_font = cv::FONT_HERSHEY_SIMPLEX;
 constexpr double stroke_font_em = 31;  // pixels of this font's em at scale 1: its capitals are 22 high
 
 double stroke_scale(int size) { return size / stroke_font_em; }
-int stroke_thickness(int size) { return size >= 22 ? 2 : 1; }
+int stroke_thickness(int size) { return size >= 40 ? 2 : 1; }
 
 bool starts_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 

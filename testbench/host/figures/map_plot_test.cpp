@@ -183,11 +183,11 @@ TEST_F(MapPlotTest, EmptyAndSmallestMapsAndStrangeWords) {
   EXPECT_THAT(all_text(plotted(TopologicalMap{}, "")), HasSubstr("0 images, 0 nodes, 0 loop closures"));
   EXPECT_EQ(centres(plotted(row_with_loops(1, {}))).size(), 1U);
   TopologicalMap named;
-  named.add("<b>\"odd\" & \xFF\n caf\xC3\xA9.png", {640, 480, {}});
+  named.add("<b>\"odd\" &\xFF\ncaf\xC3\xA9.png", {640, 480, {}});
   const pugi::xml_document document = plotted(named, "<TABLE> & 'title' \"x\" \\N caf\xC3\xA9");
   EXPECT_THAT(all_text(document), HasSubstr("<TABLE> & 'title' \"x\" \\N caf\xC3\xA9"));
   const std::string tip = document.select_node("//g[@class='node']//a/@xlink:title").attribute().value();
-  EXPECT_THAT(tip, HasSubstr("<b>\"odd\" &   caf\xC3\xA9.png"));
+  EXPECT_THAT(tip, HasSubstr("<b>\"odd\" & caf\xC3\xA9.png"));
 }
 
 TEST_F(MapPlotTest, StrictMapsHaveNoLoopEdges) {

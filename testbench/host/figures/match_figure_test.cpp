@@ -78,16 +78,15 @@ TEST(MatchFigure, ALineJoinsTheCentresAndCarriesTheDistance) {
   const cv::Vec3b colour = bytes(drawing::distinct_colour(0));
   const cv::Point from = placed(d.layout.query, 240, 240);
   const cv::Point to = placed(d.layout.candidate, 240, 320);
-  for (const double part : {0.1, 0.25, 0.4, 0.6, 0.75, 0.9}) {
+  for (const double part : {0.1, 0.25, 0.4, 0.6, 0.75}) {
     const int x = cvRound(from.x + part * (to.x - from.x));
     const int y = cvRound(from.y + part * (to.y - from.y));
     EXPECT_EQ(colour_at(d.with, x, y), colour) << part;
   }
   // The label is a filled box half-way, higher than the line, with black digits.
   const cv::Point middle = (from + to) / 2;
-  EXPECT_EQ(colour_at(d.with, middle.x, middle.y - 8), colour);
-  EXPECT_EQ(colour_at(d.with, middle.x, middle.y + 8), colour);
   const cv::Rect label(middle.x - 14, middle.y - 7, 28, 14);
+  EXPECT_GT(count_colour(d.with(label), colour), label.area() / 3);
   EXPECT_GT(count_colour(d.with(label), {0, 0, 0}), 10);
   const cv::Rect between(d.layout.query.br().x, d.layout.query.y,
                          d.layout.candidate.x - d.layout.query.br().x, d.layout.query.height);
