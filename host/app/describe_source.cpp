@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_pipeline.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -74,7 +75,7 @@ DescribedSource describe_source(const std::string& source, const DescribeOptions
   const auto start = std::chrono::steady_clock::now();
   Progress progress("describe", images->size());
   DescribedSource out;
-  const std::size_t in_flight = 2 * std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t in_flight = std::size_t{2} * std::max(1U, std::thread::hardware_concurrency());
   tbb::parallel_pipeline(
       in_flight,
       tbb::make_filter<void, std::shared_ptr<Frame>>(tbb::filter_mode::serial_in_order,

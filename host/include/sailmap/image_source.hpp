@@ -37,22 +37,24 @@ bool natural_less(const std::string& a, const std::string& b);
 // True when the extension is one of an image format that is read here.
 bool is_image_path(const std::filesystem::path& path);
 
-// The images of a folder (its image files, natural order), glob (natural order) or list file (.txt: one path a line,
-// relative to the list's folder; blank lines and # comments skipped). Throws Error when there is no image, or a listed
-// one does not exist.
+// The images of a folder (its image files, natural order), glob (natural order) or list file (.txt: one path
+// a line, relative to the list's folder; blank lines and # comments skipped). Throws Error when there is no
+// image, or a listed one does not exist.
 std::vector<std::filesystem::path> list_images(const std::string& source);
 
-// True when `source` is a folder, glob, list file or image, so that list_images takes it; false for a video or camera.
+// True when `source` is a folder, glob, list file or image, so that list_images takes it; false for a video
+// or camera.
 bool is_image_list(const std::string& source);
 
-// Folder, glob, list file, one image, video file, or camera index ("0"). Throws Error when it is none of these.
+// Folder, glob, list file, one image, video file, or camera index ("0"). Throws Error when it is none of
+// these.
 std::unique_ptr<ImageSource> open_source(const std::string& source);
 
 // The same, for images already listed.
 std::unique_ptr<ImageSource> open_images(std::vector<std::filesystem::path> paths);
 
-// An 8-bit BGR image; 16-bit, grey and alpha are converted. Throws Error naming the file when it is missing, empty,
-// truncated, or no image.
+// An 8-bit BGR image; 16-bit, grey and alpha are converted. Throws Error naming the file when it is missing,
+// empty, truncated, or no image.
 cv::Mat read_image(const std::filesystem::path& path);
 
 // The pixels of an 8-bit BGR image, which must outlive the view.

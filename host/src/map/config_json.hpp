@@ -18,8 +18,8 @@ nlohmann::ordered_json to_json(const Detection& detection);
 Detection detection_from_json(const nlohmann::ordered_json& json);
 
 std::string_view name(Inhibition inhibition);
-Inhibition inhibition_from_name(std::string_view name);  // throws Error
+Inhibition inhibition_from_name(std::string_view text);  // throws Error
 std::string_view name(DescriptorKind kind);
-DescriptorKind descriptor_kind_from_name(std::string_view name);  // throws Error
+DescriptorKind descriptor_kind_from_name(std::string_view text);  // throws Error
 
 }  // namespace sailmap

@@ -67,7 +67,8 @@ std::vector<RegionMatch> consistent_matches(const Signature& query, const Signat
     displacements.push_back({to.x - from.x, to.y - from.y});
   }
   const double tolerance = config.displacement_tolerance * diagonal(query);
-  const Displacement* common = nullptr;
+  if (displacements.empty()) return {};
+  const Displacement* common = &displacements.front();
   std::ptrdiff_t most = 0;
   for (const Displacement& displacement : displacements) {
     const std::ptrdiff_t support = supporters(displacements, displacement, tolerance);

@@ -2,7 +2,8 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include <boost/beast/core/detail/base64.hpp>
+#include <boost/archive/iterators/binary_from_base64.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <opencv2/imgcodecs.hpp>
@@ -128,9 +129,13 @@ cv::Mat embedded_picture(const pugi::xml_document& document) {
   const std::string link = document.select_node("//image").node().attribute("xlink:href").value();
   const std::string head = "data:image/png;base64,";
   EXPECT_THAT(link, StartsWith(head));
-  std::vector<std::uint8_t> png(link.size());
-  namespace base64 = boost::beast::detail::base64;
-  png.resize(base64::decode(png.data(), link.data() + head.size(), link.size() - head.size()).first);
+  namespace it = boost::archive::iterators;
+  using Decoded = it::transform_width<it::binary_from_base64<std::string::const_iterator>, 8, 6>;
+  const auto from = link.begin() + static_cast<std::ptrdiff_t>(head.size());
+  const auto to = std::find(from, link.end(), '=');
+  std::vector<std::uint8_t> png;
+  const auto length = (to - from) * 6 / 8;
+  std::copy_n(Decoded(from), length, std::back_inserter(png));
   return cv::imdecode(png, cv::IMREAD_UNCHANGED);
 }
 

@@ -71,15 +71,12 @@ std::map<std::string, std::string> strokes(const pugi::xml_document& document) {
   return out;
 }
 
-struct Rgb {
-  int r = 0, g = 0, b = 0;
-};
-Rgb rgb(const std::string& colour) {
-  Rgb out;
-  EXPECT_EQ(std::sscanf(colour.c_str(), "#%02x%02x%02x", reinterpret_cast<unsigned*>(&out.r),
-                        reinterpret_cast<unsigned*>(&out.g), reinterpret_cast<unsigned*>(&out.b)),
-            3)
-      << colour;
+// Red, green and blue of "#rrggbb".
+cv::Vec3d rgb(const std::string& colour) {
+  EXPECT_THAT(colour, ::testing::MatchesRegex("#[0-9a-f]{6}"));
+  cv::Vec3d out;
+  for (int i = 0; i < 3; ++i)
+    out[i] = std::stoi(colour.substr(1 + 2 * static_cast<std::size_t>(i), 2), nullptr, 16);
   return out;
 }
 
@@ -106,14 +103,14 @@ TEST_F(MapPlotTest, LoopsAreColouredByTheSimilarityOfTheirDetection) {
   const TopologicalMap map = row_with_loops(12, {{8, 0, 20}, {9, 1, 50}, {10, 2, 80}, {11, 3, 1e6}});
   const pugi::xml_document document = plotted(map);
   const auto edges = strokes(document);
-  const Rgb weak = rgb(edges.at("8--0"));
-  const Rgb middle = rgb(edges.at("9--1"));
-  const Rgb strong = rgb(edges.at("10--2"));
+  const cv::Vec3d weak = rgb(edges.at("8--0"));
+  const cv::Vec3d middle = rgb(edges.at("9--1"));
+  const cv::Vec3d strong = rgb(edges.at("10--2"));
   // Orange to dark red: at the threshold light, half-way up the scale half-way, the same from its end on.
-  EXPECT_GT(weak.g, 150);
-  EXPECT_LT(strong.g, 10);
-  EXPECT_NEAR(middle.g, (weak.g + strong.g) / 2.0, 1);
-  EXPECT_NEAR(middle.r, (weak.r + strong.r) / 2.0, 1);
+  EXPECT_GT(weak[1], 150);
+  EXPECT_LT(strong[1], 10);
+  EXPECT_NEAR(middle[1], (weak[1] + strong[1]) / 2.0, 1);
+  EXPECT_NEAR(middle[0], (weak[0] + strong[0]) / 2.0, 1);
   EXPECT_EQ(edges.at("11--3"), edges.at("10--2"));
   EXPECT_THAT(all_text(document), AllOf(HasSubstr("20"), HasSubstr("80 and above")));
   EXPECT_THAT(contents(folder_ / "map.svg"), HasSubstr("similarity 50"));

@@ -1,7 +1,7 @@
 // Geometry of the front end: which sizes and levels exist, shared by the kernels, the reference and the host.
 //
-// Source: spec sections 1, 3-6 and 8. Everything is constexpr and C++14, so that a wrong size stops the compiler
-// where it is known at compile time. Sizes are in pixels of the level named.
+// Source: spec sections 1, 3-6 and 8. Everything is constexpr and C++14, so that a wrong size stops the
+// compiler where it is known at compile time. Sizes are in pixels of the level named.
 #pragma once
 
 namespace sailmap {
