@@ -11,6 +11,13 @@ namespace {
 
 constexpr int compared_regions = 5;
 
+template <class SomeMaps>
+auto& at(SomeMaps& maps, std::size_t index) {
+  if (index < feature_count) return maps.features[index];
+  if (index < feature_count + conspicuity_count) return maps.conspicuities[index - feature_count];
+  return maps.saliency;
+}
+
 MapDifference compare_map(const Map& tested, const Map& expected) {
   const Plane<double> a = tested.values();
   const Plane<double> b = expected.values();
@@ -57,15 +64,9 @@ int maker(const TopologicalMap& map, int node) {
 
 }  // namespace
 
-const Map& map_at(const Maps& maps, std::size_t index) {
-  if (index < feature_count) return maps.features[index];
-  if (index < feature_count + conspicuity_count) return maps.conspicuities[index - feature_count];
-  return maps.saliency;
-}
+const Map& map_at(const Maps& maps, std::size_t index) { return at(maps, index); }
 
-Map& map_at(Maps& maps, std::size_t index) {
-  return const_cast<Map&>(map_at(static_cast<const Maps&>(maps), index));
-}
+Map& map_at(Maps& maps, std::size_t index) { return at(maps, index); }
 
 std::string_view map_name(std::size_t index) {
   if (index < feature_count) return feature_names[index];
