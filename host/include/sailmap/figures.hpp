@@ -34,8 +34,10 @@ void write_image(const std::filesystem::path& path, const cv::Mat& image);
 void write_evaluation_plot(const std::filesystem::path& path, const Evaluation& evaluation,
                            const Plane<float>& scores, const GroundTruth& truth, const std::string& title);
 
-// SVG: the map as a graph laid out by graphviz, path edges grey, loop edges by similarity (orange to dark
-// red), nodes with their number and, as a tooltip, their image. Throws Error when it cannot be written.
+// SVG: the map as a graph laid out by graphviz, path edges grey, loop edges by similarity (orange at the
+// threshold to dark red at four times it), the active node yellow; nodes with their number (of large maps
+// every so many) and, as a tooltip, their image. Calls from several threads take turns. Throws Error when it
+// cannot be written.
 void write_map_plot(const std::filesystem::path& path, const TopologicalMap& map, const std::string& title);
 
 }  // namespace sailmap

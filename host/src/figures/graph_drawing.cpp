@@ -20,6 +20,13 @@ constexpr double page_height = 560;
 
 std::mutex graphviz_lock;
 
+// One for the whole process, never freed: graphviz's pango plugin compares the name of the font that it
+// measures next with that of the last one, which lives in the context (graphviz 2.42).
+GVC_t* graphviz_context() {
+  static GVC_t* const context = gvContext();
+  return context;
+}
+
 // Graphviz's interface takes strings that it copies, and does not change, as char*.
 class Chars {
  public:
@@ -65,7 +72,9 @@ void scale(cv::Mat1d& points) {
 }  // namespace
 
 GraphDrawing::GraphDrawing()
-    : turn_(graphviz_lock), context_(gvContext()), graph_(agopen(Chars("map"), Agundirected, nullptr)) {
+    : turn_(graphviz_lock),
+      context_(graphviz_context()),
+      graph_(agopen(Chars("map"), Agundirected, nullptr)) {
   agseterr(AGMAX);  // a library does not print
   set_default(Part::graph, {{"overlap", "true"},
                             {"splines", "line"},
@@ -126,15 +135,14 @@ std::string GraphDrawing::escaped(const std::string& text) {
 void GraphDrawing::arrange(const std::string& engine) {
   const std::vector<Agnode_t*> nodes = nodes_of(graph_.get());
   if (nodes.size() < 2) return;
-  if (gvLayout(context_.get(), graph_.get(), engine.c_str()) != 0)
-    throw Error("graphviz cannot lay the graph out");
+  if (gvLayout(context_, graph_.get(), engine.c_str()) != 0) throw Error("graphviz cannot lay the graph out");
   cv::Mat1d points(static_cast<int>(nodes.size()), 2);
   for (int i = 0; i < points.rows; ++i) {
     const pointf at = ND_coord(nodes[static_cast<std::size_t>(i)]);
     points(i, 0) = at.x;
     points(i, 1) = at.y;
   }
-  gvFreeLayout(context_.get(), graph_.get());
+  gvFreeLayout(context_, graph_.get());
   turn(points);
   scale(points);
   for (int i = 0; i < points.rows; ++i) {
@@ -145,15 +153,15 @@ void GraphDrawing::arrange(const std::string& engine) {
 std::string GraphDrawing::render() {
   const bool placed = agnnodes(graph_.get()) >= 2;
   // "nop" keeps the positions that the nodes have.
-  if (gvLayout(context_.get(), graph_.get(), placed ? "nop" : "neato") != 0) {
+  if (gvLayout(context_, graph_.get(), placed ? "nop" : "neato") != 0) {
     throw Error("graphviz cannot lay the graph out");
   }
   char* data = nullptr;
   unsigned length = 0;
-  const int failed = gvRenderData(context_.get(), graph_.get(), "svg", &data, &length);
+  const int failed = gvRenderData(context_, graph_.get(), "svg", &data, &length);
   std::string svg = data == nullptr ? std::string() : std::string(data, length);
   gvFreeRenderData(data);
-  gvFreeLayout(context_.get(), graph_.get());
+  gvFreeLayout(context_, graph_.get());
   if (failed != 0 || svg.find("</svg>") == std::string::npos) throw Error("graphviz cannot draw the graph");
   return svg;
 }

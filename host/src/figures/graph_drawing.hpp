@@ -34,13 +34,12 @@ class GraphDrawing {
  private:
   struct Close {
     void operator()(Agraph_t* graph) const { agclose(graph); }
-    void operator()(GVC_t* context) const { gvFreeContext(context); }
   };
   void arrange(const std::string& engine);
   [[nodiscard]] std::string render();
 
   std::unique_lock<std::mutex> turn_;
-  std::unique_ptr<GVC_t, Close> context_;
+  GVC_t* context_;
   std::unique_ptr<Agraph_t, Close> graph_;
 };
 

@@ -1,4 +1,6 @@
 // Pictures into files.
+#include <algorithm>
+#include <iterator>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
@@ -25,7 +27,7 @@ void write_image(const std::filesystem::path& path, const cv::Mat& image) {
   }
   if (!encoded) throw Error(name + ": the format '" + extension + "' cannot hold this image");
   write_file(path, [&bytes](std::ostream& out) {
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    std::copy(bytes.begin(), bytes.end(), std::ostreambuf_iterator<char>(out));
   });
 }
 

@@ -73,7 +73,7 @@ void add_nodes(GraphDrawing& graph, const TopologicalMap& map) {
   const bool inside = count <= most_numbered;
   // A round number, so that the numbers shown are round too.
   std::size_t every = 1;
-  for (const std::size_t step : {10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000}) {
+  for (const std::size_t step : {10U, 20U, 50U, 100U, 200U, 500U, 1000U, 2000U, 5000U, 10000U}) {
     every = step;
     if (count / step <= outside_numbers) break;
   }

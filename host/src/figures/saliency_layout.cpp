@@ -19,7 +19,7 @@ constexpr double widest_in_columns = 8;
 constexpr int least_cell = 230;  // room for the caption of a narrow panel
 constexpr std::array<const char*, conspicuity_count> kind_names = {"Intensity", "Colour", "Orientation"};
 constexpr std::array<int, conspicuity_count> kind_columns = {1, 2, 2};
-constexpr std::array<int, conspicuity_count> first_of_kind = {
+constexpr std::array<std::size_t, conspicuity_count> first_of_kind = {
     0, hls::geometry::intensity_maps, hls::geometry::intensity_maps + hls::geometry::colour_maps};
 constexpr const char* conspicuity_title = "Conspicuity: sum of each kind's normalised feature maps";
 
@@ -53,7 +53,7 @@ void place_in_columns(SaliencyLayout& out, const cv::Size& image, int y) {
     const int width = columns * cell + (columns - 1) * gap;
     out.feature_headings[kind] = {kind_names[kind], {x, y - 18}, width};
     for (int k = 0; k < 2 * columns; ++k) {
-      const auto i = static_cast<std::size_t>(first_of_kind[kind] + k);
+      const std::size_t i = first_of_kind[kind] + static_cast<std::size_t>(k);
       out.features[i] = centred(tile, x + (k % columns) * (cell + gap), y + (k / columns) * row, cell);
       out.feature_rooms[i] = cell;
     }
@@ -85,7 +85,7 @@ void place_in_rows(SaliencyLayout& out, const cv::Size& image, int y) {
   for (std::size_t kind = 0; kind < conspicuity_count; ++kind) {
     out.feature_headings[kind] = heading(kind_names[kind]);
     for (int k = 0; k < 2 * kind_columns[kind]; ++k) {
-      out.features[static_cast<std::size_t>(first_of_kind[kind] + k)] = next();
+      out.features[first_of_kind[kind] + static_cast<std::size_t>(k)] = next();
     }
   }
   out.conspicuity_heading = heading(conspicuity_title);

@@ -21,7 +21,7 @@ double high_percentile(const Plane<float>& cells) {
   if (finite.empty()) return 1;
   const auto rank = static_cast<std::ptrdiff_t>(ceiling_part * static_cast<double>(finite.size() - 1));
   std::nth_element(finite.begin(), finite.begin() + rank, finite.end());
-  double value = static_cast<double>(finite[static_cast<std::size_t>(rank)]);
+  auto value = static_cast<double>(finite[static_cast<std::size_t>(rank)]);
   // With hardly any similarity at all the percentile is 0; then the scale must reach the exceptions.
   if (!(value > 0)) value = static_cast<double>(*std::max_element(finite.begin(), finite.end()));
   return value > 0 ? value : 1;

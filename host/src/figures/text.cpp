@@ -119,7 +119,8 @@ std::vector<std::string> Text::wrapped(const std::string& text, int size, int mo
   std::string line;
   std::istringstream words(printable(text));
   for (std::string word; words >> word;) {
-    const std::string longer = line.empty() ? word : line + " " + word;
+    std::string longer = line;
+    longer.append(line.empty() ? "" : " ").append(word);
     if (width(longer, size) <= most) {
       line = longer;
       continue;

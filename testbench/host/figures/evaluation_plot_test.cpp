@@ -153,7 +153,7 @@ TEST_F(EvaluationPlotTest, TheMatrixIsAPictureOfItsScores) {
   std::vector<std::pair<float, int>> shown;
   for (int q = 0; q < 80; ++q) {
     for (int c = 0; c < 80; ++c) {
-      const auto pixel = picture.at<cv::Vec4b>(q * times + times / 2, c * times + times / 2);
+      const auto& pixel = picture.at<cv::Vec4b>(q * times + times / 2, c * times + times / 2);
       ASSERT_EQ(picture.at<cv::Vec4b>(q * times, c * times), pixel);
       ASSERT_EQ(picture.at<cv::Vec4b>((q + 1) * times - 1, (c + 1) * times - 1), pixel);
       if (std::isnan(e.scores(c, q))) {
@@ -323,6 +323,11 @@ TEST_F(BrokenGnuplotTest, Missing) { expect_error("gnuplot is needed"); }
 TEST_F(BrokenGnuplotTest, FailingSaysWhy) {
   use_gnuplot("echo 'line 3: unknown terminal' >&2; exit 1");
   expect_error("status 1: line 3: unknown terminal");
+}
+
+TEST_F(BrokenGnuplotTest, APlotOfAFailureIsNoPlot) {
+  use_gnuplot("echo '<svg></svg>'; exit 3");
+  expect_error("status 3");
 }
 
 TEST_F(BrokenGnuplotTest, HalfAPlotIsNoPlot) {

@@ -168,6 +168,7 @@ TEST_F(MapPlotTest, TheSameMapIsTheSamePlotFromAnyThread) {
   const TopologicalMap map = row_with_loops(40, {{39, 0, 30}, {25, 5, 60}});
   const auto draw = [&](int k) { write_map_plot(folder_ / (std::to_string(k) + ".svg"), map, "m"); };
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int k = 0; k < 4; ++k) threads.emplace_back(draw, k);
   for (std::thread& thread : threads) thread.join();
   draw(4);

@@ -12,7 +12,6 @@
 namespace sailmap {
 namespace {
 
-using testing::bytes;
 using testing::colour_at;
 using testing::count_colour;
 using testing::Described;
