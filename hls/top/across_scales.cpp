@@ -7,6 +7,6 @@ void sailmap_across_scales(sailmap::hls::stream<uint64_t>& coarse, sailmap::hls:
 #pragma HLS interface mode = axis port = coarse
 #pragma HLS interface mode = axis port = fine
 #pragma HLS interface mode = axis port = out
-  sailmap::hls::across_scales<sailmap::top::Config, 2, 4, sailmap::hls::colour_kind>(coarse, fine, out, width,
-                                                                                     height);
+  sailmap::hls::across_scales<sailmap::top::Config, 2, sailmap::hls::green_blue_pair>(coarse, fine, out,
+                                                                                      width, height);
 }

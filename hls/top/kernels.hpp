@@ -25,20 +25,24 @@ void sailmap_reduce_pixels(sailmap::hls::stream<uint16_t>& intensity, sailmap::h
 void sailmap_delay_line(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint64_t>& out,
                         uint16_t width, uint16_t height);
 void sailmap_centre_surround(sailmap::hls::stream<uint16_t>& intensity,
-                             sailmap::hls::stream<uint64_t>& colours,
-                             sailmap::hls::stream<uint32_t>& intensity_out,
-                             sailmap::hls::stream<uint64_t>& colours_out, uint16_t width, uint16_t height);
-void sailmap_orientation(sailmap::hls::stream<uint16_t>& intensity, sailmap::hls::stream<uint64_t>& energies,
-                         uint16_t width, uint16_t height);
+                             sailmap::hls::stream<uint64_t>& colours, sailmap::hls::stream<uint64_t>& on_off,
+                             sailmap::hls::stream<uint64_t>& green_blue,
+                             sailmap::hls::stream<uint64_t>& red_yellow, uint16_t width, uint16_t height);
+void sailmap_orientation(sailmap::hls::stream<uint16_t>& intensity, sailmap::hls::stream<uint64_t>& ori_0_45,
+                         sailmap::hls::stream<uint64_t>& ori_90_135, uint16_t width, uint16_t height);
 void sailmap_across_scales(sailmap::hls::stream<uint64_t>& coarse, sailmap::hls::stream<uint64_t>& fine,
                            sailmap::hls::stream<uint64_t>& out, uint16_t width, uint16_t height);
-void sailmap_local_maxima(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint64_t>& out,
+void sailmap_local_maxima(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint32_t>& out,
                           sailmap::hls::stream<uint8_t>& flags, uint16_t width, uint16_t height);
+void sailmap_join_pairs(sailmap::hls::stream<uint32_t>& low, sailmap::hls::stream<uint8_t>& low_flags,
+                        sailmap::hls::stream<uint32_t>& high, sailmap::hls::stream<uint8_t>& high_flags,
+                        sailmap::hls::stream<uint64_t>& out, sailmap::hls::stream<uint8_t>& flags,
+                        uint16_t width, uint16_t height);
 void sailmap_store(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint8_t>& in_flags,
                    sailmap::hls::stream<uint32_t>& statistics, sailmap::hls::stream<uint64_t>& out,
                    uint16_t width, uint16_t height);
 void sailmap_gains(sailmap::hls::stream<uint32_t>& statistics, sailmap::hls::stream<uint32_t>& statistics_out,
                    sailmap::hls::stream<uint32_t>& gains_out);
 void sailmap_normalise(sailmap::hls::stream<uint32_t>& gains, sailmap::hls::stream<uint64_t>& maps,
-                       sailmap::hls::stream<uint64_t>& maps_out, sailmap::hls::stream<uint16_t>& sum_out,
+                       sailmap::hls::stream<uint64_t>& maps_out, sailmap::hls::stream<uint32_t>& sum_out,
                        uint16_t width, uint16_t height);

@@ -3,7 +3,7 @@
 #include "kernels.hpp"
 
 void sailmap_normalise(sailmap::hls::stream<uint32_t>& gains, sailmap::hls::stream<uint64_t>& maps,
-                       sailmap::hls::stream<uint64_t>& maps_out, sailmap::hls::stream<uint16_t>& sum_out,
+                       sailmap::hls::stream<uint64_t>& maps_out, sailmap::hls::stream<uint32_t>& sum_out,
                        uint16_t width, uint16_t height) {
 #pragma HLS interface mode = axis port = gains
 #pragma HLS interface mode = axis port = maps

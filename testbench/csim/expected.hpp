@@ -37,6 +37,16 @@ std::vector<Word> lanes(const std::array<const Plane<double>*, Count>& maps) {
   return words;
 }
 
+// Two maps wider than 16 bits, 32 bits each, the first in the low bits.
+template <class Point>
+std::vector<std::uint64_t> wide_pair(const Plane<double>& first, const Plane<double>& second) {
+  std::vector<std::uint64_t> words(first.samples().size());
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    words[i] = raw<Point>(first.samples()[i]) | raw<Point>(second.samples()[i]) << 32;
+  }
+  return words;
+}
+
 inline ImageView view(const csim::Frame& frame) {
   return {frame.width, frame.height, frame.rgb.data(), 3L * frame.width, ChannelOrder::rgb};
 }
@@ -74,9 +84,9 @@ inline csim::FrontEndWords expected(const csim::Frame& frame) {
       append_statistics<point::orientation_feature>(statistics, words.statistics);
     }
   }
-  append_statistics<point::intensity_conspicuity>(ref::statistics(c[0], Quantised::tie), words.statistics);
-  append_statistics<point::colour_conspicuity>(ref::statistics(c[1], Quantised::tie), words.statistics);
-  append_statistics<point::orientation_conspicuity>(ref::statistics(c[2], Quantised::tie), words.statistics);
+  append_statistics<point::intensity_conspicuity>(model.conspicuity_statistics[0], words.statistics);
+  append_statistics<point::colour_conspicuity>(model.conspicuity_statistics[1], words.statistics);
+  append_statistics<point::orientation_conspicuity>(model.conspicuity_statistics[2], words.statistics);
   return words;
 }
 

@@ -44,8 +44,9 @@ TEST(CsimNetwork, RunsAtDepthTwoForManyShapes) {
   }
 }
 
-template <class Word>
-void discard(hls::stream<Word>& in, std::uint16_t width, std::uint16_t height) {
+// Reads a map of the base level away. `Pair`: the stages of a region must differ.
+template <int Pair>
+void discard(hls::stream<std::uint64_t>& in, std::uint16_t width, std::uint16_t height) {
   const int pixels = hls::geometry::base_side(width) * hls::geometry::base_side(height);
   for (int i = 0; i < pixels; ++i) in.read();
 }
@@ -73,9 +74,11 @@ struct Levels {
                   std::uint16_t width, std::uint16_t height) {
     using namespace hls;
 #include "sailmap/hls/region/2_levels.inc"
-    SAILMAP_STAGE((discard<std::uint32_t>), feature_on_off, width, height);
-    SAILMAP_STAGE((colours_away), feature_colours, width, height);
-    SAILMAP_STAGE((energies_away), feature_energies, width, height);
+    SAILMAP_STAGE((discard<on_off_pair>), sum_on_off, width, height);
+    SAILMAP_STAGE((discard<green_blue_pair>), sum_green_blue, width, height);
+    SAILMAP_STAGE((discard<red_yellow_pair>), sum_red_yellow, width, height);
+    SAILMAP_STAGE((discard<ori_0_45_pair>), sum_ori_0_45, width, height);
+    SAILMAP_STAGE((discard<ori_90_135_pair>), sum_ori_90_135, width, height);
   }
 
   // "ok", or the fault of a run over one frame.
@@ -97,15 +100,6 @@ struct Levels {
       return error.what();
     }
     return "ok";
-  }
-
- private:
-  // Two functions, as the stages of a region must differ.
-  static void colours_away(hls::stream<std::uint64_t>& in, std::uint16_t width, std::uint16_t height) {
-    discard(in, width, height);
-  }
-  static void energies_away(hls::stream<std::uint64_t>& in, std::uint16_t width, std::uint16_t height) {
-    discard(in, width, height);
   }
 };
 

@@ -40,6 +40,17 @@ class Stages : public ::testing::Test {
     return plane;
   }
 
+  // Values at a point, 0 to `largest` raw.
+  template <class Point>
+  Plane<double> values(int width, int height, std::int64_t largest) {
+    Plane<double> plane(width, height);
+    std::uniform_int_distribution<std::int64_t> value(0, largest);
+    for (double& v : plane.samples()) {
+      v = std::ldexp(static_cast<double>(value(random)), -Point::fraction);
+    }
+    return plane;
+  }
+
   std::mt19937 random;
 };
 
@@ -187,24 +198,27 @@ TEST_F(Stages, CentreSurround) {
       SCOPED_TRACE(std::to_string(w) + "x" + std::to_string(h));
       const Raw intensity = raw_plane(w * h, largest_intensity, extreme);
       std::vector<Raw> colours;
-      std::vector<Raw> want_colours;
+      std::vector<Plane<double>> want_colours;
       for (int i = 0; i < 4; ++i) {
         colours.push_back(raw_plane(w * h, largest_colour, extreme));
-        want_colours.push_back(raw_of<point::colour_contrast>(
+        want_colours.push_back(
             ref::centre_surround<Quantised, point::colour_contrast>(real<point::colour>(colours.back(), w, h))
-                .on));
+                .on);
       }
       const ref::Contrast want =
           ref::centre_surround<Quantised, point::intensity_contrast>(real<point::intensity>(intensity, w, h));
       StageRun run;
-      std::vector<std::uint32_t> on_off;
-      std::vector<std::uint64_t> opponents;
+      std::vector<std::uint64_t> on_off;
+      std::vector<std::uint64_t> green_blue;
+      std::vector<std::uint64_t> red_yellow;
       SAILMAP_STAGE((hls::centre_surround<Config, 2>), run.feed(intensity),
                     run.feed(pack<std::uint64_t>(colours)), run.take(intensity.size(), on_off),
-                    run.take(intensity.size(), opponents), full(w), full(h));
+                    run.take(intensity.size(), green_blue), run.take(intensity.size(), red_yellow), full(w),
+                    full(h));
       run.run();
-      EXPECT_EQ(on_off, (lanes<std::uint32_t, point::intensity_contrast, 2>({&want.on, &want.off})));
-      EXPECT_EQ(opponents, pack<std::uint64_t>(want_colours));
+      EXPECT_EQ(on_off, wide_pair<point::intensity_contrast>(want.on, want.off));
+      EXPECT_EQ(green_blue, wide_pair<point::colour_contrast>(want_colours[0], want_colours[1]));
+      EXPECT_EQ(red_yellow, wide_pair<point::colour_contrast>(want_colours[2], want_colours[3]));
     }
   }
 }
@@ -214,83 +228,113 @@ TEST_F(Stages, Orientation) {
     for (const bool extreme : {false, true}) {
       SCOPED_TRACE(std::to_string(w) + "x" + std::to_string(h));
       const Raw intensity = raw_plane(w * h, largest_intensity, extreme);
-      std::vector<Raw> want;
+      std::vector<Plane<double>> want;
       for (int i = 0; i < 4; ++i) {
-        want.push_back(raw_of<point::gabor_energy>(
-            ref::gabor_energy<Quantised>(real<point::intensity>(intensity, w, h), i)));
+        want.push_back(ref::gabor_energy<Quantised>(real<point::intensity>(intensity, w, h), i));
       }
       StageRun run;
-      std::vector<std::uint64_t> energies;
+      std::vector<std::uint64_t> ori_0_45;
+      std::vector<std::uint64_t> ori_90_135;
       SAILMAP_STAGE((hls::orientation_energy<Config, 2>), run.feed(intensity),
-                    run.take(intensity.size(), energies), full(w), full(h));
+                    run.take(intensity.size(), ori_0_45), run.take(intensity.size(), ori_90_135), full(w),
+                    full(h));
       run.run();
-      EXPECT_EQ(energies, pack<std::uint64_t>(want));
+      EXPECT_EQ(ori_0_45, wide_pair<point::gabor_energy>(want[0], want[1]));
+      EXPECT_EQ(ori_90_135, wide_pair<point::gabor_energy>(want[2], want[3]));
     }
   }
 }
 
-// Three levels through both across-scales stages, as colours.
+// Three levels through both across-scales stages, as a pair of colours.
 TEST_F(Stages, AcrossScales) {
   for (const auto& [w, h] : level_2_sizes) {
     SCOPED_TRACE(std::to_string(w) + "x" + std::to_string(h));
-    std::array<std::vector<Raw>, 3> levels;
-    std::vector<Raw> want;
-    for (int map = 0; map < 4; ++map) {
-      ref::LevelMaps maps;
+    std::array<ref::LevelMaps, 2> maps;
+    std::vector<Plane<double>> want;
+    for (ref::LevelMaps& levels : maps) {
       for (int level = 0; level < 3; ++level) {
         const int lw = level_side(w, level);
         const int lh = level_side(h, level);
-        // A third of the range each: three of them must fit the sum.
-        levels[static_cast<std::size_t>(level)].push_back(raw_plane(lw * lh, 65535 / 2, false));
-        maps[static_cast<std::size_t>(level)] =
-            real<point::colour_contrast>(levels[static_cast<std::size_t>(level)].back(), lw, lh);
+        // What three of may be added up: half the word.
+        levels[static_cast<std::size_t>(level)] =
+            values<point::colour_contrast>(lw, lh, point::colour_contrast::max_raw() / 2);
       }
-      want.push_back(raw_of<point::colour_feature>(
-          ref::across_scales<Quantised, point::colour_partial, point::colour_feature>(maps)));
+      want.push_back(ref::across_scales<Quantised, point::colour_partial, point::colour_sum>(levels));
     }
+    const auto level_words = [&](std::size_t level) {
+      return wide_pair<point::colour_contrast>(maps[0][level], maps[1][level]);
+    };
     StageRun run;
     std::vector<std::uint64_t> got;
     auto& partial = run.between<std::uint64_t>();
-    SAILMAP_STAGE((hls::across_scales<Config, 3, 4, hls::colour_kind>),
-                  run.feed(pack<std::uint64_t>(levels[2])), run.feed(pack<std::uint64_t>(levels[1])), partial,
-                  full(w), full(h));
-    SAILMAP_STAGE((hls::across_scales<Config, 2, 4, hls::colour_kind>), partial,
-                  run.feed(pack<std::uint64_t>(levels[0])), run.take(want[0].size(), got), full(w), full(h));
+    SAILMAP_STAGE((hls::across_scales<Config, 3, hls::green_blue_pair>), run.feed(level_words(2)),
+                  run.feed(level_words(1)), partial, full(w), full(h));
+    SAILMAP_STAGE((hls::across_scales<Config, 2, hls::green_blue_pair>), partial, run.feed(level_words(0)),
+                  run.take(want[0].samples().size(), got), full(w), full(h));
     run.run();
-    EXPECT_EQ(got, pack<std::uint64_t>(want));
+    EXPECT_EQ(got, wide_pair<point::colour_sum>(want[0], want[1]));
   }
 }
 
+TEST_F(Stages, JoinPairs) {
+  std::vector<std::uint32_t> low(16 * 16);
+  std::vector<std::uint32_t> high(low.size());
+  std::vector<std::uint8_t> low_flags(low.size());
+  std::vector<std::uint8_t> high_flags(low.size());
+  std::vector<std::uint64_t> want;
+  std::vector<std::uint8_t> want_flags;
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    low[i] = static_cast<std::uint32_t>(random());
+    high[i] = static_cast<std::uint32_t>(random());
+    low_flags[i] = static_cast<std::uint8_t>(random() % 4);
+    high_flags[i] = static_cast<std::uint8_t>(random() % 4);
+    want.push_back(std::uint64_t{high[i]} * 0x100000000U + low[i]);
+    want_flags.push_back(static_cast<std::uint8_t>(4 * high_flags[i] + low_flags[i]));
+  }
+  StageRun run;
+  std::vector<std::uint64_t> got;
+  std::vector<std::uint8_t> flags;
+  SAILMAP_STAGE((hls::join_pairs<Config, hls::colour_kind>), run.feed(low), run.feed(low_flags),
+                run.feed(high), run.feed(high_flags), run.take(want.size(), got),
+                run.take(want.size(), flags), full(16), full(16));
+  run.run();
+  EXPECT_EQ(got, want);
+  EXPECT_EQ(flags, want_flags);
+}
+
 // Maxima, store, gains and normalisation of one kind; few different values, so that neighbours are often
-// equal.
+// equal, in the sums or only once they are rounded.
 TEST_F(Stages, StatisticsAndNormalisation) {
   for (const auto& [w, h] : level_2_sizes) {
-    for (const int largest : {0, 1, 3, 700, 65535}) {
+    for (const std::int64_t largest : std::initializer_list<std::int64_t>{0, 1, 3, 40, 700, 1541120}) {
       SCOPED_TRACE(std::to_string(w) + "x" + std::to_string(h) + " up to " + std::to_string(largest));
-      std::vector<Raw> maps = {raw_plane(w * h, largest, false),
-                               raw_plane(w * h, std::min(2, largest), false)};
+      const std::array<Plane<double>, 2> sums = {
+          values<point::intensity_sum>(w, h, largest),
+          values<point::intensity_sum>(w, h, std::min<std::int64_t>(100, largest))};
       std::vector<std::uint32_t> want_statistics;
+      std::array<Plane<double>, 2> maps;
       std::array<Plane<double>, 2> normalised;
       for (std::size_t i = 0; i < 2; ++i) {
-        const Plane<double> map = real<point::intensity_feature>(maps[i], w, h);
-        const MapStatistics statistics = ref::statistics(map, Quantised::tie);
+        maps[i] = ref::stored<Quantised, point::intensity_feature>(sums[i]);
+        const MapStatistics statistics = ref::statistics(sums[i], maps[i], Quantised::tie);
         append_statistics<point::intensity_feature>(statistics, want_statistics);
-        normalised[i] = ref::normalise<Quantised, point::normalised>(map, statistics);
+        normalised[i] = ref::normalise<Quantised, point::normalised>(maps[i], statistics);
       }
-      const Plane<double> want = ref::sum_of<Quantised, point::intensity_conspicuity>(normalised);
+      const Plane<double> want = ref::sum_of<Quantised, point::intensity_conspicuity_sum>(normalised);
 
       StageRun run;
       std::vector<std::uint32_t> replayed;
       std::vector<std::uint32_t> statistics;
-      Raw sum;
+      std::vector<std::uint32_t> sum;
       auto& checked = run.between<std::uint32_t>();
       auto& flags = run.between<std::uint8_t>();
       auto& raw_statistics = run.between<std::uint32_t>();
       auto& stored = run.between<std::uint32_t>();
       auto& gains = run.between<std::uint32_t>();
-      const std::size_t pixels = maps[0].size();
-      SAILMAP_STAGE((hls::local_maxima<Config, 2, hls::intensity_kind>), run.feed(pack<std::uint32_t>(maps)),
-                    checked, flags, full(w), full(h));
+      const std::size_t pixels = sums[0].samples().size();
+      SAILMAP_STAGE((hls::local_maxima<Config, hls::on_off_pair>),
+                    run.feed(wide_pair<point::intensity_sum>(sums[0], sums[1])), checked, flags, full(w),
+                    full(h));
       SAILMAP_STAGE((hls::store<Config, 2, hls::intensity_kind, 0>), checked, flags, raw_statistics, stored,
                     full(w), full(h));
       SAILMAP_STAGE((hls::gains<Config, 2, hls::intensity_kind>), raw_statistics, run.take(4, statistics),
@@ -299,8 +343,10 @@ TEST_F(Stages, StatisticsAndNormalisation) {
                     run.take(pixels, replayed), run.take(pixels, sum), full(w), full(h));
       run.run();
       EXPECT_EQ(statistics, want_statistics);
-      EXPECT_EQ(replayed, pack<std::uint32_t>(maps));
-      EXPECT_EQ(sum, raw_of<point::intensity_conspicuity>(want));
+      EXPECT_EQ(replayed, (lanes<std::uint32_t, point::intensity_feature, 2>({&maps[0], &maps[1]})));
+      for (std::size_t i = 0; i < pixels; ++i) {
+        ASSERT_EQ(sum[i], raw<point::intensity_conspicuity_sum>(want.samples()[i])) << i;
+      }
     }
   }
 }

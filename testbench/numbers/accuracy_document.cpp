@@ -3,6 +3,7 @@
 
 #include "documents.hpp"
 #include "measure.hpp"
+#include "recognition.hpp"
 #include "sailmap/hls/accuracy.hpp"
 #include "sailmap/maps.hpp"
 
@@ -76,14 +77,25 @@ void write_agreement(std::ostream& out, const Summary& summary) {
       << 100 * summary.maps.back().root_mean_square << " %.\n\n";
 }
 
-void write_sequence(std::ostream& out, const char* name, const std::filesystem::path& folder) {
+void write_recognition(std::ostream& out, const std::filesystem::path& folder, int exclude_recent) {
+  const Recognition exact = recognise(folder, exclude_recent, "reference");
+  const Recognition quantised = recognise(folder, exclude_recent, "quantised");
+  out << std::fixed << std::setprecision(3) << "Loop closure, average precision without the "
+      << exclude_recent << " newest images: `paper_weighted` " << quantised.paper_weighted << " quantised, "
+      << exact.paper_weighted << " exact; `paper` " << quantised.paper << " quantised, " << exact.paper
+      << " exact.\n\n";
+}
+
+void write_sequence(std::ostream& out, const Sequence& sequence, const std::filesystem::path& data) {
+  const std::filesystem::path folder = data / sequence.name / "images";
   const Summary quantised = summarise(measure_folder(folder, 1, Against::quantised));
-  out << "## " << name << ", " << quantised.images << " images\n\n";
+  out << "## " << sequence.name << ", " << quantised.images << " images\n\n";
   write_table(out, quantised);
   out << "\nQuantised against exact: ";
   write_agreement(out, quantised);
   out << "For comparison, exact against exact with one grey level of noise: ";
   write_agreement(out, summarise(measure_folder(folder, 1, Against::noisy)));
+  write_recognition(out, data / sequence.name, sequence.exclude_recent);
   out << "Samples at the end of their word: " << quantised.saturated << ".\n\n";
 }
 
@@ -92,9 +104,7 @@ void write_sequence(std::ostream& out, const char* name, const std::filesystem::
 std::string accuracy_document(const std::filesystem::path& data) {
   std::ostringstream out;
   out << introduction;
-  for (const char* name : {"rtabmap_corridor", "gardens_point"}) {
-    write_sequence(out, name, data / name / "images");
-  }
+  for (const Sequence& sequence : sequences) write_sequence(out, sequence, data);
   std::string text = reading;
   text = replaced(text, "@ib@", accuracy::intensity_feature_bound);
   text = replaced(text, "@cb@", accuracy::colour_feature_bound);

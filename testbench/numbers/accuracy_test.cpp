@@ -7,6 +7,7 @@
 
 #include "images.hpp"
 #include "measure.hpp"
+#include "recognition.hpp"
 #include "sailmap/maps.hpp"
 #include "sailmap/ref/orientation.hpp"
 #include "sailmap_data.hpp"
@@ -106,6 +107,20 @@ TEST_P(OnSequence, IsAsStated) {
   }
   EXPECT_GE(summarise(images).agreement(), accuracy::region_agreement);
 }
+
+class Recognises : public ::testing::TestWithParam<Sequence> {};
+
+TEST_P(Recognises, AsTheExactReference) {
+  const auto& [name, exclude_recent] = GetParam();
+  SAILMAP_NEEDS_DATA(name);
+  const Recognition exact = recognise(data_folder() / name, exclude_recent, "reference");
+  const Recognition quantised = recognise(data_folder() / name, exclude_recent, "quantised");
+  EXPECT_NEAR(quantised.paper_weighted, exact.paper_weighted, accuracy::average_precision_change);
+  EXPECT_NEAR(quantised.paper, exact.paper, accuracy::average_precision_change);
+}
+
+INSTANTIATE_TEST_SUITE_P(Real, Recognises, ::testing::ValuesIn(sequences),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(Real, OnSequence,
                          ::testing::Values(std::pair{"rtabmap_corridor", 5}, std::pair{"gardens_point", 20}),

@@ -10,8 +10,6 @@
 #include "sailmap/error.hpp"
 #include "sailmap/frontend.hpp"
 #include "sailmap/hls/accuracy.hpp"
-#include "sailmap/ref/policy.hpp"
-#include "sailmap/ref/quantised.hpp"
 #include "sailmap/signature.hpp"
 
 namespace sailmap::numbers {
@@ -61,19 +59,13 @@ std::vector<std::uint8_t> with_noise(const ImageView& image) {
   return out;
 }
 
-// m of a conspicuity map, which a front end does not report.
-int maxima_of(const Map& map) {
-  const bool real = std::holds_alternative<Plane<double>>(map.samples);
-  return ref::statistics(map.values(), real ? ref::Exact::tie : ref::Quantised::tie).maxima;
-}
-
 void compare_maxima(const Maps& exact, const Maps& quantised, ImageErrors& out) {
   for (std::size_t i = 0; i < feature_count; ++i) {
     out.other_m[i] = exact.feature_statistics[i].maxima != quantised.feature_statistics[i].maxima;
   }
   for (std::size_t i = 0; i < conspicuity_count; ++i) {
     out.other_m[first_conspicuity + i] =
-        maxima_of(exact.conspicuities[i]) != maxima_of(quantised.conspicuities[i]);
+        exact.conspicuity_statistics[i].maxima != quantised.conspicuity_statistics[i].maxima;
   }
 }
 

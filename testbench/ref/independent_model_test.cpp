@@ -54,8 +54,7 @@ class IndependentModelTest : public ::testing::Test {
     }
     for (std::size_t i = 0; i < conspicuity_names.size(); ++i) {
       expect_equal(model.conspicuities[i], conspicuity_names.at(i), expected, tolerance);
-      EXPECT_EQ(ref::statistics(model.conspicuities[i], ref::Exact::tie).maxima,
-                expected.maxima.at(conspicuity_names.at(i)));
+      EXPECT_EQ(model.conspicuity_statistics[i].maxima, expected.maxima.at(conspicuity_names.at(i)));
     }
     expect_equal(model.saliency, "saliency", expected, tolerance);
   }

@@ -19,16 +19,24 @@ TEST(Conspicuity, IsTheSumOfItsMaps) {
             plane_of({{1, 0.75}, {0.125, 0}}));
 }
 
+Plane<double> saliency(const std::array<Plane<double>, 3>& conspicuities) {
+  std::array<MapStatistics, 3> statistics;
+  for (std::size_t i = 0; i < 3; ++i) {
+    statistics[i] = ref::statistics(conspicuities[i], ref::Exact::tie);
+  }
+  return ref::saliency<ref::Exact>(conspicuities, statistics);
+}
+
 TEST(Saliency, SumsTheConspicuitiesNormalisedOnceMore) {
   // The first has one maximum above half, the second four of equal height, the third is flat.
   const std::array<Plane<double>, 3> conspicuities = {plane_of({{4, 0, 1, 0, 0, 0, 0}}),
                                                       plane_of({{2, 0, 2, 0, 2, 0, 2}}), Plane<double>(7, 1)};
-  EXPECT_EQ(ref::saliency<ref::Exact>(conspicuities), plane_of({{1.5, 0, 0.75, 0, 0.5, 0, 0.5}}));
+  EXPECT_EQ(saliency(conspicuities), plane_of({{1.5, 0, 0.75, 0, 0.5, 0, 0.5}}));
 }
 
 TEST(Saliency, OfZeroMapsIsZero) {
   const Plane<double> zero(6, 4);
-  EXPECT_TRUE(is_zero(ref::saliency<ref::Exact>({zero, zero, zero})));
+  EXPECT_TRUE(is_zero(saliency({zero, zero, zero})));
 }
 
 }  // namespace

@@ -66,9 +66,10 @@ struct Stages {
       contrasts.push_back(ref::each_level(colours.back(), [](const Plane<double>& level) {
         return ref::centre_surround<Quantised, point::colour_contrast>(level).on;
       }));
-      features.push_back(
-          ref::across_scales<Quantised, point::colour_partial, point::colour_feature>(contrasts.back()));
-      statistics.push_back(ref::statistics(features.back(), Quantised::tie));
+      sums.push_back(
+          ref::across_scales<Quantised, point::colour_partial, point::colour_sum>(contrasts.back()));
+      features.push_back(ref::stored<Quantised, point::colour_feature>(sums.back()));
+      statistics.push_back(ref::statistics(sums.back(), features.back(), Quantised::tie));
     }
   }
   [[nodiscard]] Planes colours_of(std::size_t level) const {
@@ -78,6 +79,7 @@ struct Stages {
   ref::Pyramid intensity;
   std::vector<ref::Pyramid> colours;
   std::vector<ref::LevelMaps> contrasts;
+  Planes sums;  // exact, before they are rounded to the features
   Planes features;
   std::vector<MapStatistics> statistics;
 };
@@ -86,6 +88,14 @@ struct Stages {
 template <class Point>
 std::vector<std::uint64_t> four(const Planes& maps) {
   return lanes<std::uint64_t, Point, 4>({&maps[0], &maps[1], &maps[2], &maps[3]});
+}
+
+// A map a word of its own a pixel.
+template <class Point>
+std::vector<std::uint32_t> raw_words(const Plane<double>& map) {
+  std::vector<std::uint32_t> words;
+  for (const double v : map.samples()) words.push_back(static_cast<std::uint32_t>(raw<Point>(v)));
+  return words;
 }
 
 // `count` neighbouring words of `bits` bits as one, the left one low.
@@ -157,15 +167,17 @@ void centre_surround(Call& call, const csim::Frame& /*frame*/, const Stages& sta
   for (const ref::LevelMaps& levels : stages.contrasts) contrasts.push_back(levels[0]);
   call.words("intensity", neighbours<std::uint16_t, point::intensity>(stages.intensity[2]));
   call.words("colours", four<point::colour>(stages.colours_of(2)));
-  call.words("intensity_out", lanes<std::uint32_t, point::intensity_contrast, 2>({&grey.on, &grey.off}));
-  call.words("colours_out", four<point::colour_contrast>(contrasts));
+  call.words("on_off", wide_pair<point::intensity_contrast>(grey.on, grey.off));
+  call.words("green_blue", wide_pair<point::colour_contrast>(contrasts[0], contrasts[1]));
+  call.words("red_yellow", wide_pair<point::colour_contrast>(contrasts[2], contrasts[3]));
 }
 
 void orientation(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
   Planes energies;
   for (int i = 0; i < 4; ++i) energies.push_back(ref::gabor_energy<Quantised>(stages.intensity[2], i));
   call.words("intensity", neighbours<std::uint16_t, point::intensity>(stages.intensity[2]));
-  call.words("energies", four<point::gabor_energy>(energies));
+  call.words("ori_0_45", wide_pair<point::gabor_energy>(energies[0], energies[1]));
+  call.words("ori_90_135", wide_pair<point::gabor_energy>(energies[2], energies[3]));
 }
 
 void across_scales(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
@@ -180,18 +192,20 @@ void across_scales(Call& call, const csim::Frame& /*frame*/, const Stages& stage
     partials.push_back(sum);
     fine.push_back(levels[0]);
   }
-  call.words("coarse", four<point::colour_partial>(partials));
-  call.words("fine", four<point::colour_contrast>(fine));
-  call.words("out", four<point::colour_feature>(stages.features));
+  call.words("coarse", wide_pair<point::colour_partial>(partials[0], partials[1]));
+  call.words("fine", wide_pair<point::colour_contrast>(fine[0], fine[1]));
+  call.words("out", wide_pair<point::colour_sum>(stages.sums[0], stages.sums[1]));
 }
 
-// A bit for each of the four feature maps.
-std::vector<std::uint8_t> local_maximum_flags(const Planes& maps) {
+// A bit for each of `count` maps from `first` on.
+std::vector<std::uint8_t> local_maximum_flags(const Planes& maps, std::size_t first, std::size_t count) {
   std::vector<std::uint8_t> flags;
   for (int y = 0; y < maps[0].height(); ++y) {
     for (int x = 0; x < maps[0].width(); ++x) {
       unsigned word = 0;
-      for (std::size_t i = 0; i < 4; ++i) word |= (ref::is_local_maximum(maps[i], x, y) ? 1U : 0U) << i;
+      for (std::size_t i = 0; i < count; ++i) {
+        word |= (ref::is_local_maximum(maps[first + i], x, y) ? 1U : 0U) << i;
+      }
       flags.push_back(static_cast<std::uint8_t>(word));
     }
   }
@@ -199,9 +213,20 @@ std::vector<std::uint8_t> local_maximum_flags(const Planes& maps) {
 }
 
 void local_maxima(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
-  call.words("in", four<point::colour_feature>(stages.features));
-  call.words("out", four<point::colour_feature>(stages.features));
-  call.words("flags", local_maximum_flags(stages.features));
+  call.words("in", wide_pair<point::colour_sum>(stages.sums[0], stages.sums[1]));
+  call.words("out",
+             lanes<std::uint32_t, point::colour_feature, 2>({&stages.features[0], &stages.features[1]}));
+  call.words("flags", local_maximum_flags(stages.sums, 0, 2));
+}
+
+void join_pairs(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  const Planes& maps = stages.features;
+  call.words("low", lanes<std::uint32_t, point::colour_feature, 2>({&maps[0], &maps[1]}));
+  call.words("low_flags", local_maximum_flags(stages.sums, 0, 2));
+  call.words("high", lanes<std::uint32_t, point::colour_feature, 2>({&maps[2], &maps[3]}));
+  call.words("high_flags", local_maximum_flags(stages.sums, 2, 2));
+  call.words("out", four<point::colour_feature>(maps));
+  call.words("flags", local_maximum_flags(stages.sums, 0, 4));
 }
 
 std::vector<std::uint32_t> statistics_words(const Stages& stages) {
@@ -212,12 +237,12 @@ std::vector<std::uint32_t> statistics_words(const Stages& stages) {
 
 void store(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
   call.words("in", four<point::colour_feature>(stages.features));
-  call.words("in_flags", local_maximum_flags(stages.features));
+  call.words("in_flags", local_maximum_flags(stages.sums, 0, 4));
   call.words("statistics", statistics_words(stages));
   call.words("out", four<point::colour_feature>(stages.features));
 }
 
-// Mantissa and shift of each map's gain: (raw * mantissa) >> shift is the raw normalised value.
+// Mantissa and shift of each map's gain: (raw * mantissa * 16) >> shift is the raw normalised value.
 std::vector<std::uint32_t> gain_words(const Stages& stages) {
   std::vector<std::uint32_t> words;
   for (const MapStatistics& map : stages.statistics) {
@@ -242,11 +267,11 @@ void normalise(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
     normalised.push_back(
         ref::normalise<Quantised, point::normalised>(stages.features[i], stages.statistics[i]));
   }
-  const Plane<double> sum = ref::sum_of<Quantised, point::colour_conspicuity>(normalised);
+  const Plane<double> sum = ref::sum_of<Quantised, point::colour_conspicuity_sum>(normalised);
   call.words("gains", gain_words(stages));
   call.words("maps", four<point::colour_feature>(stages.features));
   call.words("maps_out", four<point::colour_feature>(stages.features));
-  call.words("sum_out", neighbours<std::uint16_t, point::colour_conspicuity>(sum));
+  call.words("sum_out", raw_words<point::colour_conspicuity_sum>(sum));
 }
 
 void front_end(Call& call, const csim::Frame& frame, std::size_t beat) {
@@ -299,6 +324,7 @@ const std::map<std::string, StageWriter> stage_writers = {{"sailmap_channels", c
                                                           {"sailmap_orientation", orientation},
                                                           {"sailmap_across_scales", across_scales},
                                                           {"sailmap_local_maxima", local_maxima},
+                                                          {"sailmap_join_pairs", join_pairs},
                                                           {"sailmap_store", store},
                                                           {"sailmap_gains", gains},
                                                           {"sailmap_normalise", normalise}};

@@ -57,6 +57,7 @@ struct Maps {
   std::array<Map, feature_count> features;  // before normalisation (spec 6)
   std::array<MapStatistics, feature_count> feature_statistics;
   std::array<Map, conspicuity_count> conspicuities;  // before their own normalisation (spec 7)
+  std::array<MapStatistics, conspicuity_count> conspicuity_statistics;
   Map saliency;
 };
 

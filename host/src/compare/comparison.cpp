@@ -105,7 +105,12 @@ Maps difference_maps(const Maps& tested, const Maps& expected) {
     for (std::size_t k = 0; k < b.samples().size(); ++k) {
       difference.samples()[k] = std::abs(difference.samples()[k] - b.samples()[k]);
     }
-    if (i < feature_count) out.feature_statistics[i].maximum = std::ranges::max(difference.samples());
+    const double largest = std::ranges::max(difference.samples());
+    if (i < feature_count) {
+      out.feature_statistics[i].maximum = largest;
+    } else if (i < feature_count + conspicuity_count) {
+      out.conspicuity_statistics[i - feature_count].maximum = largest;
+    }
     map_at(out, i).samples = std::move(difference);
   }
   return out;

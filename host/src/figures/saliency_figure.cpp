@@ -153,7 +153,7 @@ cv::Mat saliency_figure(const cv::Mat& image, const Maps& maps, const Signature&
   for (std::size_t k = 0; k < conspicuity_count; ++k) {
     constexpr std::array<std::string_view, conspicuity_count> kinds = {"intensity", "colour", "orientation"};
     figure.panel(drawing::shade(maps.conspicuities[k]), layout.conspicuities[k],
-                 caption(kinds[k], statistics(maps.conspicuities[k])), layout.conspicuity_rooms[k]);
+                 caption(kinds[k], maps.conspicuity_statistics[k]), layout.conspicuity_rooms[k]);
   }
   return figure.picture();
 }

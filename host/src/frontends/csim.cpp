@@ -31,6 +31,12 @@ void store_lane(const std::vector<Word>& words, std::size_t index, int width, in
   }
 }
 
+// Of the ten feature maps, then the three conspicuity maps.
+template <class F>
+MapStatistics statistics_at(const csim::FrontEndWords& words, std::size_t map) {
+  return statistics_of_raw<F>(words.statistics[2 * map], words.statistics[2 * map + 1]);
+}
+
 void store_features(const csim::FrontEndWords& words, int width, int height, Maps& maps) {
   using namespace hls::geometry;
   for_each_feature_format([&]<class F>(F, std::size_t i) {
@@ -42,7 +48,7 @@ void store_features(const csim::FrontEndWords& words, int width, int height, Map
       store_lane<F>(words.orientation_maps, i - intensity_maps - colour_maps, width, height,
                     maps.features[i]);
     }
-    maps.feature_statistics[i] = statistics_of_raw<F>(words.statistics[2 * i], words.statistics[2 * i + 1]);
+    maps.feature_statistics[i] = statistics_at<F>(words, i);
   });
 }
 
@@ -63,6 +69,7 @@ class Csim : public Frontend {
     store_features(words, width, height, maps);
     for_each_conspicuity_format([&]<class F>(F, std::size_t i) {
       store_lane<F>(words.conspicuity_maps, i, width, height, maps.conspicuities[i]);
+      maps.conspicuity_statistics[i] = statistics_at<F>(words, feature_count + i);
     });
     store_lane<hls::formats::saliency>(words.saliency, 0, width, height, maps.saliency);
   }

@@ -23,6 +23,11 @@ void store(const Plane<double>& values, Map& map) {
   for (std::size_t i = 0; i < from.size(); ++i) to[i] = raw_of<F>(from[i]);
 }
 
+template <class F>
+MapStatistics in_spec_units(const MapStatistics& statistics) {
+  return statistics_of_raw<F>(raw_of<F>(statistics.maximum), static_cast<std::uint32_t>(statistics.maxima));
+}
+
 class Quantised : public Frontend {
  public:
   [[nodiscard]] std::string_view name() const override { return "quantised"; }
@@ -34,12 +39,12 @@ class Quantised : public Frontend {
     maps.image_height = image.height;
     for_each_feature_format([&]<class F>(F, std::size_t i) {
       store<F>(model.features[i], maps.features[i]);
-      const auto& [maximum, maxima] = model.feature_statistics[i];
-      maps.feature_statistics[i] =
-          statistics_of_raw<F>(raw_of<F>(maximum), static_cast<std::uint32_t>(maxima));
+      maps.feature_statistics[i] = in_spec_units<F>(model.feature_statistics[i]);
     });
-    for_each_conspicuity_format(
-        [&]<class F>(F, std::size_t i) { store<F>(model.conspicuities[i], maps.conspicuities[i]); });
+    for_each_conspicuity_format([&]<class F>(F, std::size_t i) {
+      store<F>(model.conspicuities[i], maps.conspicuities[i]);
+      maps.conspicuity_statistics[i] = in_spec_units<F>(model.conspicuity_statistics[i]);
+    });
     store<hls::formats::saliency>(model.saliency, maps.saliency);
   }
 };

@@ -22,6 +22,7 @@ class Reference : public Frontend {
     for (std::size_t i = 0; i < conspicuity_count; ++i) {
       maps.conspicuities[i].samples = std::move(model.conspicuities[i]);
     }
+    maps.conspicuity_statistics = model.conspicuity_statistics;
     maps.saliency.samples = std::move(model.saliency);
   }
 };

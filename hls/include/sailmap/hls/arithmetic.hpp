@@ -68,11 +68,11 @@ static_assert(formats::intensity::fraction - formats::intensity_contrast::fracti
 
 // A vertical 1-D sum of raw intensities with the taps of E, O, C, S or G.
 constexpr formats::gabor_column::native gabor_column(std::int32_t sum) {
-  return requantise<Exactly<28, formats::intensity::fraction, Sign::is_signed>, formats::gabor_column>(sum);
+  return requantise<Exactly<31, formats::intensity::fraction, Sign::is_signed>, formats::gabor_column>(sum);
 }
 // Magnitude of a 2-D sum of raw columns.
 constexpr std::uint32_t gabor_response(std::int32_t sum) {
-  return requantise<Exactly<27, formats::gabor_column::fraction>, formats::gabor_response>(
+  return requantise<Exactly<29, formats::gabor_column::fraction>, formats::gabor_response>(
       static_cast<std::uint32_t>(sum < 0 ? -sum : sum));
 }
 // gabor_scale of an integer window's sum of absolute values: 1/scale, rounded to nearest.
@@ -82,34 +82,41 @@ constexpr std::uint32_t gabor_scale(std::int64_t scale) {
 }
 // |even| + |odd| of two responses, in `orientation` = theta / 45 degrees.
 constexpr formats::gabor_energy::native gabor_energy(int orientation, std::uint32_t even, std::uint32_t odd) {
-  return requantise<Exactly<31, formats::gabor_response::fraction + formats::gabor_scale::fraction>,
-                    formats::gabor_energy>(even * gabor_scale(gabor::even_scale(orientation)) +
-                                           odd * gabor_scale(gabor::odd_scale(orientation)));
+  return requantise<Exactly<35, formats::gabor_response::fraction + formats::gabor_scale::fraction>,
+                    formats::gabor_energy>(
+      static_cast<std::uint64_t>(even) * gabor_scale(gabor::even_scale(orientation)) +
+      static_cast<std::uint64_t>(odd) * gabor_scale(gabor::odd_scale(orientation)));
 }
 
 // --- Section 6: `coarse` is the sum of the four neighbours of the coarser level (interpolation times 4) ---
 
 // Levels 4 and 3 to the partial sum; of intensity, colour and orientation alike.
 constexpr formats::intensity_partial::native partial_sum(std::uint32_t coarse, std::uint32_t finer) {
-  return requantise<Exactly<19, formats::intensity_contrast::fraction + 2>, formats::intensity_partial>(
+  return requantise<Exactly<21, formats::intensity_contrast::fraction + 2>, formats::intensity_partial>(
       coarse + 4 * finer);
 }
-// The partial sum and level 2 to the feature map.
-constexpr formats::intensity_feature::native feature_sum(std::uint32_t coarse, std::uint32_t finer) {
-  return requantise<Exactly<19, formats::intensity_partial::fraction + 2>, formats::intensity_feature>(
-      coarse + 2 * finer);
+// The partial sum and level 2 to the sum of all levels, which is exact.
+constexpr formats::intensity_sum::native level_sum(std::uint32_t coarse, std::uint32_t finer) {
+  return coarse + 2 * finer;
+}
+// That sum to the feature map.
+constexpr formats::intensity_feature::native feature(std::uint32_t sum) {
+  return requantise<formats::intensity_sum, formats::intensity_feature>(sum);
 }
 
-template <class Level, class Partial, class Feature>
+template <class Level, class Partial, class Sum, class Feature>
 struct alike {
-  static constexpr bool value =
-      Level::fraction == Partial::fraction + 1 && Level::fraction == Feature::fraction + 2;
+  static constexpr bool value = Level::fraction == Partial::fraction + 1 &&
+                                Sum::fraction == Partial::fraction + 2 &&
+                                Sum::fraction == Feature::fraction + 5;
 };
-static_assert(
-    alike<formats::intensity_contrast, formats::intensity_partial, formats::intensity_feature>::value &&
-        alike<formats::colour_contrast, formats::colour_partial, formats::colour_feature>::value &&
-        alike<formats::gabor_energy, formats::orientation_partial, formats::orientation_feature>::value,
-    "one kernel serves all three kinds");
+static_assert(alike<formats::intensity_contrast, formats::intensity_partial, formats::intensity_sum,
+                    formats::intensity_feature>::value &&
+                  alike<formats::colour_contrast, formats::colour_partial, formats::colour_sum,
+                        formats::colour_feature>::value &&
+                  alike<formats::gabor_energy, formats::orientation_partial, formats::orientation_sum,
+                        formats::orientation_feature>::value,
+              "one kernel serves all three kinds");
 
 // --- Section 7 ---
 
@@ -143,7 +150,7 @@ constexpr std::uint32_t reciprocal(std::uint64_t divisor) {
   return quotient > 0xffffU ? 0xffffU : quotient;
 }
 
-// 1 / (max sqrt(m)) of a map: normalised raw = (map raw * mantissa) >> shift. 0 for a flat zero map.
+// 1 / (max sqrt(m)) of a map: normalised raw = (map raw * mantissa * 16) >> shift. 0 for a flat zero map.
 struct Gain {
   std::uint32_t mantissa;  // formats::gain
   int shift;               // 0 to 24
@@ -169,25 +176,27 @@ constexpr Gain gain(std::uint32_t maximum, std::uint32_t maxima) {
 
 // X~ or C~ of one pixel, value <= maximum. Both normalised formats are the same, below 1.
 constexpr formats::normalised::native normalise(std::uint32_t value, const Gain& g) {
-  return static_cast<formats::normalised::native>((value * g.mantissa) >> g.shift);
+  constexpr int finer = formats::normalised::fraction - formats::gain::fraction;
+  return static_cast<formats::normalised::native>((static_cast<std::uint64_t>(value * g.mantissa) << finer) >>
+                                                  g.shift);
 }
 static_assert(formats::normalised::fraction == formats::normalised_conspicuity::fraction,
               "one kernel serves both");
 
-// C from the sum of the normalised maps of its kind: two of intensity, four of colour or orientation.
+// C from the exact sum of the normalised maps of its kind: two of intensity, four of colour or orientation.
 constexpr formats::intensity_conspicuity::native intensity_conspicuity(std::uint32_t sum) {
-  return requantise<Exactly<17, formats::normalised::fraction>, formats::intensity_conspicuity>(sum);
+  return requantise<formats::intensity_conspicuity_sum, formats::intensity_conspicuity>(sum);
 }
 constexpr formats::colour_conspicuity::native colour_conspicuity(std::uint32_t sum) {
-  return requantise<Exactly<18, formats::normalised::fraction>, formats::colour_conspicuity>(sum);
+  return requantise<formats::colour_conspicuity_sum, formats::colour_conspicuity>(sum);
 }
 constexpr formats::orientation_conspicuity::native orientation_conspicuity(std::uint32_t sum) {
-  return requantise<Exactly<18, formats::normalised::fraction>, formats::orientation_conspicuity>(sum);
+  return requantise<formats::orientation_conspicuity_sum, formats::orientation_conspicuity>(sum);
 }
 
 // S from the sum of the three normalised C.
 constexpr formats::saliency::native saliency(std::uint32_t sum) {
-  return requantise<Exactly<18, formats::normalised_conspicuity::fraction>, formats::saliency>(sum);
+  return requantise<Exactly<22, formats::normalised_conspicuity::fraction>, formats::saliency>(sum);
 }
 
 }  // namespace hls

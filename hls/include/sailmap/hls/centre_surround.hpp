@@ -168,17 +168,18 @@ struct BoxWindow {
       advance(column);
     }
   }
-  uint16_t on() const {
+  uint32_t on() const {
     return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), 1);
   }
-  uint16_t off() const {
+  uint32_t off() const {
     return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), -1);
   }
 };
 
 template <class Config, int Level>
-void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<uint32_t>& intensity_out,
-                     stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
+void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<uint64_t>& on_off,
+                     stream<uint64_t>& green_blue, stream<uint64_t>& red_yellow, uint16_t width,
+                     uint16_t height) {
   using Stage = CentreSurround<Config, Level>;
   constexpr int radius = geometry::surround_radius_large;
   const int w = geometry::level_side(width, Level);
@@ -221,8 +222,9 @@ void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, str
       w3.next(x == 0, c3);
       w4.next(x == 0, c4);
       if (y >= radius && x >= radius) {
-        intensity_out.write(pack(w0.on(), w0.off()));
-        colours_out.write(pack(w1.on(), w2.on(), w3.on(), w4.on()));
+        on_off.write(wide_pair(w0.on(), w0.off()));
+        green_blue.write(wide_pair(w1.on(), w2.on()));
+        red_yellow.write(wide_pair(w3.on(), w4.on()));
       }
     }
     slots.advance();

@@ -25,6 +25,7 @@
 #include "sailmap/hls/delay_line.hpp"
 #include "sailmap/hls/double_buffer.hpp"
 #include "sailmap/hls/gabor.hpp"
+#include "sailmap/hls/join_pairs.hpp"
 #include "sailmap/hls/local_maxima.hpp"
 #include "sailmap/hls/normalise.hpp"
 #include "sailmap/hls/reduce_lanes.hpp"

@@ -1,6 +1,6 @@
 // Orientation, spec section 5: Gabor energy of the intensity at 0, 45, 90 and 135 degrees.
 //
-// Streams, level `Level`, one pixel a word, raster order. In: intensity. Out: the four energies as lanes.
+// Streams, level `Level`, one pixel a word, raster order. In: intensity. Out: the four energies as two pairs.
 // Formats: intensity in; gabor_column between the passes; gabor_energy out. Latency: 4 rows and 4 columns.
 // II 1. Rows stand alone: a row takes 4 words of flushing. Maximum error against the exact energies
 // of the exact level: accuracy::gabor_level_error.
@@ -127,26 +127,33 @@ struct GaborWindow {
   }
 };
 
-inline uint16_t energy(int orientation, int32_t even, int32_t odd) {
+inline uint32_t energy(int orientation, int32_t even, int32_t odd) {
   return gabor_energy(orientation, gabor_response(even), gabor_response(odd));
 }
 
-// The four energies of a window; the sums are named filter along x, filter along y.
-inline uint64_t gabor_energies(const GaborWindow& w) {
+// The four energies of a window, two pairs.
+struct GaborEnergies {
+  uint64_t ori_0_45, ori_90_135;
+};
+
+// The sums are named filter along x, filter along y.
+inline GaborEnergies gabor_energies(const GaborWindow& w) {
   const int32_t cc = symmetric(gabor::C, w.cosine);
   const int32_t ss = antisymmetric(gabor::S, w.sine);
   const int32_t gg = symmetric(gabor::G, w.gauss);
   const int32_t sc = antisymmetric(gabor::S, w.cosine);
   const int32_t cs = symmetric(gabor::C, w.sine);
-  return pack(energy(0, symmetric(gabor::E, w.gauss), antisymmetric(gabor::O, w.gauss)),
-              energy(1, cc - ss - gg, sc + cs),
-              energy(2, symmetric(gabor::G, w.even), symmetric(gabor::G, w.odd)),
-              energy(3, cc + ss - gg, cs - sc));
+  GaborEnergies out = {0, 0};
+  out.ori_0_45 = wide_pair(energy(0, symmetric(gabor::E, w.gauss), antisymmetric(gabor::O, w.gauss)),
+                           energy(1, cc - ss - gg, sc + cs));
+  out.ori_90_135 = wide_pair(energy(2, symmetric(gabor::G, w.even), symmetric(gabor::G, w.odd)),
+                             energy(3, cc + ss - gg, cs - sc));
+  return out;
 }
 
 template <class Config, int Level>
-void orientation_energy(stream<uint16_t>& intensity, stream<uint64_t>& energies, uint16_t width,
-                        uint16_t height) {
+void orientation_energy(stream<uint16_t>& intensity, stream<uint64_t>& ori_0_45, stream<uint64_t>& ori_90_135,
+                        uint16_t width, uint16_t height) {
   constexpr int radius = geometry::gabor_radius;
   const int w = geometry::level_side(width, Level);
   const int h = geometry::level_side(height, Level);
@@ -163,7 +170,11 @@ void orientation_energy(stream<uint16_t>& intensity, stream<uint64_t>& energies,
         column = gabor_rows<Config, Level>(read, x, y, h);
       }
       window.next(x == 0, column);
-      if (y >= radius && x >= radius) energies.write(gabor_energies(window));
+      if (y >= radius && x >= radius) {
+        const GaborEnergies energies = gabor_energies(window);
+        ori_0_45.write(energies.ori_0_45);
+        ori_90_135.write(energies.ori_90_135);
+      }
     }
   }
 }

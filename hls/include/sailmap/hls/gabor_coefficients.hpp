@@ -6,7 +6,7 @@
 //   S(x) C(y) + C(x) S(y) C ~ g cos v x         135 degrees: even = C(x) C(y) + S(x) S(y) - G(x) G(y),  odd =
 //   C(x) S(y) - S(x) C(y) S ~ g sin v x G ~ g sum(C)/sum(g)
 // C, S and G share one scale, E and O have their own. Every even window is free of DC in exact integers:
-// sum(E) = 0 and sum(G) = sum(C). The scales were searched for those (coefficients to 9 bits) whose windows,
+// sum(E) = 0 and sum(G) = sum(C). The scales were searched for those (coefficients to 12 bits) whose windows,
 // scaled to unit sum of absolute values, lie closest to the exact ones: `max_window_error` in sum of absolute
 // differences.
 #pragma once
@@ -21,13 +21,13 @@ namespace gabor {
 
 constexpr int taps = geometry::gabor_taps;
 
-constexpr int E[taps] = {-53, -101, -53, 106, 202, 106, -53, -101, -53};
-constexpr int O[taps] = {23, -44, -156, -165, 0, 165, 156, 44, -23};
-constexpr int C[taps] = {-80, -61, 87, 311, 423, 311, 87, -61, -80};
-constexpr int S[taps] = {-55, -175, -280, -229, 0, 229, 280, 175, 55};
-constexpr int G[taps] = {39, 74, 117, 154, 169, 154, 117, 74, 39};
+constexpr int E[taps] = {-950, -1807, -946, 1897, 3612, 1897, -946, -1807, -950};
+constexpr int O[taps] = {336, -639, -2273, -2401, 0, 2401, 2273, 639, -336};
+constexpr int C[taps] = {-683, -516, 741, 2647, 3603, 2647, 741, -516, -683};
+constexpr int S[taps] = {-470, -1490, -2383, -1949, 0, 1949, 2383, 1490, 470};
+constexpr int G[taps] = {331, 630, 997, 1313, 1439, 1313, 997, 630, 331};
 
-constexpr double max_window_error = 0.0016;
+constexpr double max_window_error = 0.00022;
 
 constexpr int sum(const int (&filter)[taps]) {
   int total = 0;

@@ -61,6 +61,15 @@ inline uint32_t pack(uint16_t a, uint16_t b) {
   return static_cast<uint32_t>(a) | static_cast<uint32_t>(b) << 16;
 }
 
+// A pair of maps where they are wider than 16 bits: two lanes of 32.
+template <int Index>
+inline uint32_t wide_lane(uint64_t pair) {
+  return static_cast<uint32_t>(pair >> (Index * 32));
+}
+inline uint64_t wide_pair(uint32_t a, uint32_t b) {
+  return static_cast<uint64_t>(a) | static_cast<uint64_t>(b) << 32;
+}
+
 // Count numbers of one type, one scalar each: registers, to every tool.
 template <int Count, class T>
 struct Lanes {

@@ -1,10 +1,13 @@
 // Local maxima of section 7: a pixel > the four neighbours already scanned (three above, one left) and >= the
 // other four; outside the image counts as -infinity.
 //
-// Streams, base level, Count maps as lanes, raster order. In: the maps. Out: the maps, and a word of flags a
-// pixel, bit l for lane l. Latency: 1 row and 1 column. II 1. Exact. `Kind` tells the instances apart.
+// Streams, base level, a pair of maps a word, raster order. In: the exact sums, wider than 16 bits. Out: the
+// maps rounded to the 16 bits in which they are stored and leave the front end, and a word of flags a pixel,
+// bit l for lane l. Latency: 1 row and 1 column. II 1. The flags are exact; the rounding is that of the
+// points intensity_feature and so on. `Pair` says which maps they are.
 #pragma once
 
+#include "sailmap/hls/arithmetic.hpp"
 #include "sailmap/hls/geometry.hpp"
 #include "sailmap/hls/kinds.hpp"
 #include "sailmap/hls/lanes.hpp"
@@ -15,74 +18,62 @@ namespace sailmap {
 namespace hls {
 
 // The last two rows; `newer` is the one above the newest.
-template <class Config, int Count, int Kind>
+template <class Config, int Pair>
 struct MaximaRows {
-  static lanes_t<Count> newer[Config::level_width(geometry::base_level)];
-  static lanes_t<Count> older[Config::level_width(geometry::base_level)];
+  static uint64_t newer[Config::level_width(geometry::base_level)];
+  static uint64_t older[Config::level_width(geometry::base_level)];
 };
-template <class Config, int Count, int Kind>
-lanes_t<Count> MaximaRows<Config, Count, Kind>::newer[Config::level_width(geometry::base_level)];
-template <class Config, int Count, int Kind>
-lanes_t<Count> MaximaRows<Config, Count, Kind>::older[Config::level_width(geometry::base_level)];
+template <class Config, int Pair>
+uint64_t MaximaRows<Config, Pair>::newer[Config::level_width(geometry::base_level)];
+template <class Config, int Pair>
+uint64_t MaximaRows<Config, Pair>::older[Config::level_width(geometry::base_level)];
 
-// Three rows of one column, packed, and which of them lie inside the image.
-template <class Word>
+// Three rows of one column, a pair each, and which of them lie inside the image.
 struct MaximaColumn {
-  Word above, here, below;
+  uint64_t above, here, below;
   bool has_above, has_here, has_below;
 };
 
-// Lane 0 of the word at the centre of three columns.
-template <class Word>
-inline bool is_local_maximum(const MaximaColumn<Word>& left, const MaximaColumn<Word>& mid,
-                             const MaximaColumn<Word>& right) {
-  const uint16_t v = lane<0>(mid.here);
-  return (!left.has_above || v > lane<0>(left.above)) && (!mid.has_above || v > lane<0>(mid.above)) &&
-         (!right.has_above || v > lane<0>(right.above)) && (!left.has_here || v > lane<0>(left.here)) &&
-         (!right.has_here || v >= lane<0>(right.here)) && (!left.has_below || v >= lane<0>(left.below)) &&
-         (!mid.has_below || v >= lane<0>(mid.below)) && (!right.has_below || v >= lane<0>(right.below));
+// Lane `Lane` of the pair at the centre of three columns.
+template <int Lane>
+inline bool is_local_maximum(const MaximaColumn& left, const MaximaColumn& mid, const MaximaColumn& right) {
+  const uint32_t v = wide_lane<Lane>(mid.here);
+  return (!left.has_above || v > wide_lane<Lane>(left.above)) &&
+         (!mid.has_above || v > wide_lane<Lane>(mid.above)) &&
+         (!right.has_above || v > wide_lane<Lane>(right.above)) &&
+         (!left.has_here || v > wide_lane<Lane>(left.here)) &&
+         (!right.has_here || v >= wide_lane<Lane>(right.here)) &&
+         (!left.has_below || v >= wide_lane<Lane>(left.below)) &&
+         (!mid.has_below || v >= wide_lane<Lane>(mid.below)) &&
+         (!right.has_below || v >= wide_lane<Lane>(right.below));
 }
 
-template <class Word>
-inline MaximaColumn<Word> next_lane(MaximaColumn<Word> column) {
-  column.above = static_cast<Word>(column.above >> lane_bits);
-  column.here = static_cast<Word>(column.here >> lane_bits);
-  column.below = static_cast<Word>(column.below >> lane_bits);
-  return column;
+inline uint8_t maxima_flags(const MaximaColumn& left, const MaximaColumn& mid, const MaximaColumn& right) {
+  return static_cast<uint8_t>((is_local_maximum<0>(left, mid, right) ? 1 : 0) |
+                              (is_local_maximum<1>(left, mid, right) ? 2 : 0));
 }
 
-// Flags of Count lanes.
-template <int Count>
-struct MaximaFlags {
-  template <class Word>
-  static uint8_t of(const MaximaColumn<Word>& left, const MaximaColumn<Word>& mid,
-                    const MaximaColumn<Word>& right) {
-    const uint8_t rest = MaximaFlags<Count - 1>::of(next_lane(left), next_lane(mid), next_lane(right));
-    return static_cast<uint8_t>(static_cast<uint8_t>(rest << 1) |
-                                (is_local_maximum(left, mid, right) ? 1 : 0));
-  }
-};
-template <>
-struct MaximaFlags<0> {
-  template <class Word>
-  static uint8_t of(const MaximaColumn<Word>& /*left*/, const MaximaColumn<Word>& /*mid*/,
-                    const MaximaColumn<Word>& /*right*/) {
-    return 0;
-  }
-};
+// The pair in the words of the stores.
+template <int Pair>
+inline uint32_t stored_pair(uint64_t sums) {
+  const uint32_t a = wide_lane<0>(sums);
+  const uint32_t b = wide_lane<1>(sums);
+  return Pair == intensity_colour_pair ? pack(intensity_conspicuity(a), colour_conspicuity(b))
+         : Pair == orientation_pair    ? pack(orientation_conspicuity(a), 0)
+                                       : pack(feature(a), feature(b));
+}
 
-template <class Config, int Count, int Kind>
-void local_maxima(stream<lanes_t<Count> >& in, stream<lanes_t<Count> >& out, stream<uint8_t>& flags,
-                  uint16_t width, uint16_t height) {
-  using Word = lanes_t<Count>;
-  using Rows = MaximaRows<Config, Count, Kind>;
+template <class Config, int Pair>
+void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& flags, uint16_t width,
+                  uint16_t height) {
+  using Rows = MaximaRows<Config, Pair>;
   const int w = geometry::base_side(width);
   const int h = geometry::base_side(height);
 #pragma nounroll
   for (int y = 0; y <= h; ++y) {
-    MaximaColumn<Word> left = {0, 0, 0, false, false, false};
-    MaximaColumn<Word> mid = left;
-    MaximaColumn<Word> right = left;
+    MaximaColumn left = {0, 0, 0, false, false, false};
+    MaximaColumn mid = left;
+    MaximaColumn right = left;
 #pragma nounroll
     for (int x = 0; x <= w; ++x) {
       SAILMAP_PIPELINE
@@ -99,8 +90,8 @@ void local_maxima(stream<lanes_t<Count> >& in, stream<lanes_t<Count> >& out, str
         Rows::newer[x] = right.below;
       }
       if (y > 0 && x > 0) {
-        out.write(mid.here);
-        flags.write(MaximaFlags<Count>::of(left, mid, right));
+        out.write(stored_pair<Pair>(mid.here));
+        flags.write(maxima_flags(left, mid, right));
       }
     }
   }

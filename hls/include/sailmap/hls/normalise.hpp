@@ -4,7 +4,8 @@
 // Stage `gains`: for each of Count lanes, maximum and m in; the same, and the gain 1/(maximum sqrt(m)) as
 // mantissa and shift, out. Once a frame, some 100 cycles. Stage `normalise`: gains, then the maps as lanes
 // in; the maps unchanged, and the sum of the normalised lanes out. Base level, raster order. Formats:
-// normalised and conspicuity, or normalised_conspicuity and saliency; one multiplication a pixel and lane.
+// normalised and its exact sum (intensity_conspicuity_sum and so on), or normalised_conspicuity and saliency;
+// one multiplication a pixel and lane.
 // Latency 0. II 1. `Kind` tells the instances apart. Maximum errors against the exact maps:
 // accuracy::conspicuity_share and accuracy::saliency_share of the largest value.
 #pragma once
@@ -33,14 +34,17 @@ void gains(stream<uint32_t>& statistics, stream<uint32_t>& statistics_out, strea
   }
 }
 
-// The sum of normalised maps at its named point.
+// The sum of normalised maps as it leaves the stage: a conspicuity exact, saliency in its 16 bits.
 template <int Kind>
-inline uint16_t normalised_sum(uint32_t sum) {
-  return Kind == intensity_kind     ? intensity_conspicuity(sum)
-         : Kind == colour_kind      ? colour_conspicuity(sum)
-         : Kind == orientation_kind ? orientation_conspicuity(sum)
-                                    : saliency(sum);
-}
+struct NormalisedSum {
+  using word = uint32_t;
+  static word of(uint32_t sum) { return sum; }
+};
+template <>
+struct NormalisedSum<conspicuity_kind> {
+  using word = uint16_t;
+  static word of(uint32_t sum) { return saliency(sum); }
+};
 
 template <int Count>
 struct LaneGains {
@@ -69,7 +73,7 @@ struct LaneGains<0> {
 
 template <class Config, int Count, int Kind>
 void normalise(stream<uint32_t>& gains_in, stream<lanes_t<Count> >& maps, stream<lanes_t<Count> >& maps_out,
-               stream<uint16_t>& sum_out, uint16_t width, uint16_t height) {
+               stream<typename NormalisedSum<Kind>::word>& sum_out, uint16_t width, uint16_t height) {
   const int pixels = geometry::base_side(width) * geometry::base_side(height);
   LaneGains<Count> lanes = LaneGains<Count>();
   lanes.read(gains_in);
@@ -79,7 +83,7 @@ void normalise(stream<uint32_t>& gains_in, stream<lanes_t<Count> >& maps, stream
     const lanes_t<Count> word = maps.read();
     const uint32_t sum = lanes.sum(word);
     maps_out.write(word);
-    sum_out.write(normalised_sum<Kind>(sum));
+    sum_out.write(NormalisedSum<Kind>::of(sum));
   }
 }
 

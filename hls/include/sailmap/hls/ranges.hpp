@@ -141,9 +141,9 @@ template <class Level, class Partial>
 constexpr std::int64_t partial_of(std::int64_t level) {
   return rounded<Partial, Level::fraction>(2 * level);
 }
-template <class Level, class Partial, class Feature>
-constexpr std::int64_t feature_of(std::int64_t level) {
-  return rounded<Feature, Partial::fraction + 1>(2 * partial_of<Level, Partial>(level) + level);
+template <class Level, class Partial>
+constexpr std::int64_t sum_of(std::int64_t level) {
+  return 4 * partial_of<Level, Partial>(level) + 2 * level;
 }
 constexpr std::int64_t intensity_partial =
     partial_of<formats::intensity_contrast, formats::intensity_partial>(intensity_contrast);
@@ -151,14 +151,18 @@ constexpr std::int64_t colour_partial =
     partial_of<formats::colour_contrast, formats::colour_partial>(colour_contrast);
 constexpr std::int64_t orientation_partial =
     partial_of<formats::gabor_energy, formats::orientation_partial>(gabor_energy);
+constexpr std::int64_t intensity_sum =
+    sum_of<formats::intensity_contrast, formats::intensity_partial>(intensity_contrast);
+constexpr std::int64_t colour_sum =
+    sum_of<formats::colour_contrast, formats::colour_partial>(colour_contrast);
+constexpr std::int64_t orientation_sum =
+    sum_of<formats::gabor_energy, formats::orientation_partial>(gabor_energy);
 constexpr std::int64_t intensity_feature =
-    feature_of<formats::intensity_contrast, formats::intensity_partial, formats::intensity_feature>(
-        intensity_contrast);
+    rounded<formats::intensity_feature, formats::intensity_sum::fraction>(intensity_sum);
 constexpr std::int64_t colour_feature =
-    feature_of<formats::colour_contrast, formats::colour_partial, formats::colour_feature>(colour_contrast);
+    rounded<formats::colour_feature, formats::colour_sum::fraction>(colour_sum);
 constexpr std::int64_t orientation_feature =
-    feature_of<formats::gabor_energy, formats::orientation_partial, formats::orientation_feature>(
-        gabor_energy);
+    rounded<formats::orientation_feature, formats::orientation_sum::fraction>(orientation_sum);
 
 // --- Section 7 ---
 
@@ -172,8 +176,12 @@ constexpr std::int64_t square_root =
     isqrt(((std::uint64_t{1} << formats::maxima_count::word) - 1) << (36 - formats::maxima_count::word));
 // The largest gain, and the only one that saturates: a lone peak that is a power of two.
 constexpr std::int64_t gain_mantissa = hls::gain(1, 1).mantissa;
-// value * mantissa <= max * mantissa < 2^shift * 2^16, since mantissa < 2^48 / (max sqrt(m)) scaled likewise.
+// value * mantissa * 16 <= max * mantissa * 16 < 2^shift * 2^20, since mantissa < 2^48 / (max sqrt(m)) scaled
+// likewise.
 constexpr std::int64_t normalised = (std::int64_t{1} << formats::normalised::fraction) - 1;
+constexpr std::int64_t intensity_conspicuity_sum = geometry::intensity_maps * normalised;
+constexpr std::int64_t colour_conspicuity_sum = geometry::colour_maps * normalised;
+constexpr std::int64_t orientation_conspicuity_sum = geometry::orientation_maps * normalised;
 template <class F>
 constexpr std::int64_t sum_of_normalised(int maps) {
   return rounded<F, formats::normalised::fraction>(maps * normalised);
@@ -211,6 +219,9 @@ static_assert(holds_tightly<formats::gabor_energy>(gabor_energy), "range");
 static_assert(holds_tightly<formats::intensity_partial>(intensity_partial), "range");
 static_assert(holds_tightly<formats::colour_partial>(colour_partial), "range");
 static_assert(holds_tightly<formats::orientation_partial>(orientation_partial), "range");
+static_assert(holds_tightly<formats::intensity_sum>(intensity_sum), "range");
+static_assert(holds_tightly<formats::colour_sum>(colour_sum), "range");
+static_assert(holds_tightly<formats::orientation_sum>(orientation_sum), "range");
 static_assert(holds_tightly<formats::intensity_feature>(intensity_feature), "range");
 static_assert(holds_tightly<formats::colour_feature>(colour_feature), "range");
 static_assert(holds_tightly<formats::orientation_feature>(orientation_feature), "range");
@@ -218,6 +229,9 @@ static_assert(holds_tightly<formats::maxima_count>(maxima_count), "range");
 static_assert(holds_tightly<formats::square_root>(square_root), "range");
 static_assert(holds_tightly<formats::gain>(gain_mantissa), "range");
 static_assert(holds_tightly<formats::normalised>(normalised), "range");
+static_assert(holds_tightly<formats::intensity_conspicuity_sum>(intensity_conspicuity_sum), "range");
+static_assert(holds_tightly<formats::colour_conspicuity_sum>(colour_conspicuity_sum), "range");
+static_assert(holds_tightly<formats::orientation_conspicuity_sum>(orientation_conspicuity_sum), "range");
 static_assert(holds_tightly<formats::intensity_conspicuity>(intensity_conspicuity), "range");
 static_assert(holds_tightly<formats::colour_conspicuity>(colour_conspicuity), "range");
 static_assert(holds_tightly<formats::orientation_conspicuity>(orientation_conspicuity), "range");
@@ -230,11 +244,11 @@ constexpr std::int64_t two_to(int bits) { return std::int64_t{1} << bits; }
 static_assert(largest_colour_product() < two_to(25), "tuned_colour");
 static_assert(256 * max_of(intensity, colour) < two_to(24), "reduce");
 static_assert(contrast_sum_of(max_of(intensity, colour)) < two_to(26), "contrast_sum");
-static_assert(max_of(largest_positive_sum(), largest_negative_sum()) * intensity < two_to(27),
+static_assert(max_of(largest_positive_sum(), largest_negative_sum()) * intensity < two_to(30),
               "gabor_column");
-static_assert(largest_window_sum() < two_to(27), "gabor_response");
-static_assert(largest_energy_product() < two_to(31), "gabor_energy");
-static_assert(8 * max_of(max_of(intensity_contrast, colour_contrast), gabor_energy) < two_to(19),
+static_assert(largest_window_sum() < two_to(29), "gabor_response");
+static_assert(largest_energy_product() < two_to(35), "gabor_energy");
+static_assert(8 * max_of(max_of(intensity_contrast, colour_contrast), gabor_energy) < two_to(21),
               "partial_sum");
 
 }  // namespace ranges

@@ -1,5 +1,4 @@
-// Plumbing around the conspicuity maps (spec 7): the three kinds as lanes of one word, and one stream of
-// statistics.
+// Plumbing around the conspicuity maps (spec 7): the three kinds as pairs, and one stream of statistics.
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"
@@ -10,18 +9,21 @@
 namespace sailmap {
 namespace hls {
 
-// C_I, C_C and C_O of a pixel as lanes. Base level, raster order; latency 0, II 1, exact.
+// The exact sums of C_I, C_C and C_O of a pixel as pairs, the second C_O and 0. Base level, raster order;
+// latency 0, II 1, exact.
 template <class Config>
-void join_conspicuities(stream<uint16_t>& intensity, stream<uint16_t>& colour, stream<uint16_t>& orientation,
-                        stream<uint64_t>& out, uint16_t width, uint16_t height) {
+void pair_conspicuities(stream<uint32_t>& intensity, stream<uint32_t>& colour, stream<uint32_t>& orientation,
+                        stream<uint64_t>& intensity_colour, stream<uint64_t>& orientation_alone,
+                        uint16_t width, uint16_t height) {
   const int pixels = geometry::base_side(width) * geometry::base_side(height);
 #pragma nounroll
   for (int i = 0; i < pixels; ++i) {
     SAILMAP_PIPELINE
-    const uint16_t i_word = intensity.read();
-    const uint16_t c_word = colour.read();
-    const uint16_t o_word = orientation.read();
-    out.write(pack(i_word, c_word, o_word, 0));
+    const uint32_t i_word = intensity.read();
+    const uint32_t c_word = colour.read();
+    const uint32_t o_word = orientation.read();
+    intensity_colour.write(wide_pair(i_word, c_word));
+    orientation_alone.write(wide_pair(o_word, 0));
   }
 }
 

@@ -28,9 +28,9 @@ inline Plane<double> interpolate(const Plane<double>& coarse, int width, int hei
   return out;
 }
 
-// `levels`: one map per pyramid level, finest first. The sums are rounded at Feature on the base level, at
+// `levels`: one map per pyramid level, finest first. The sums are rounded at Sum on the base level, at
 // Partial on the levels before it.
-template <class Policy, class Partial, class Feature = Partial>
+template <class Policy, class Partial, class Sum = Partial>
 Plane<double> across_scales(const std::array<Plane<double>, hls::geometry::map_levels>& levels) {
   Plane<double> sum = levels.back();
   for (std::size_t level = levels.size() - 1; level-- > 0;) {
@@ -40,7 +40,7 @@ Plane<double> across_scales(const std::array<Plane<double>, hls::geometry::map_l
       for (int x = 0; x < finer.width(); ++x) {
         const double both = next(x, y) + finer(x, y);
         if (level == 0) {
-          next(x, y) = Policy::template at<Feature>(both);
+          next(x, y) = Policy::template at<Sum>(both);
         } else {
           next(x, y) = Policy::template at<Partial>(both);
         }

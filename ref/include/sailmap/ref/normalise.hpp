@@ -35,17 +35,29 @@ inline bool is_local_maximum(const Plane<double>& map, int x, int y) {
          not_below(x + 1, y) && not_below(x - 1, y + 1) && not_below(x, y + 1) && not_below(x + 1, y + 1);
 }
 
-// `tie`, of the policy: values this close may be equal but for rounding, so a map no higher is flat.
-inline MapStatistics statistics(const Plane<double>& map, double tie) {
+// Local maxima are found on `sums`, their height is that in `map`: the same map as the hardware stores it,
+// rounded once more. `tie`, of the policy: values this close may be equal but for rounding, so a map no
+// higher is flat.
+inline MapStatistics statistics(const Plane<double>& sums, const Plane<double>& map, double tie) {
   const double maximum = std::ranges::max(map.samples());
   if (maximum <= tie) return {};
   MapStatistics out{maximum, 0};
   for (int y = 0; y < map.height(); ++y) {
     for (int x = 0; x < map.width(); ++x) {
-      if (2 * map(x, y) > maximum + tie && is_local_maximum(map, x, y)) ++out.maxima;
+      if (2 * map(x, y) > maximum + tie && is_local_maximum(sums, x, y)) ++out.maxima;
     }
   }
   return out;
+}
+
+inline MapStatistics statistics(const Plane<double>& map, double tie) { return statistics(map, map, tie); }
+
+// The map rounded at Point, as it is stored.
+template <class Policy, class Point>
+Plane<double> stored(const Plane<double>& sums) {
+  Plane<double> map = sums;
+  for (double& v : map.samples()) v = Policy::template at<Point>(v);
+  return map;
 }
 
 // X~ = X / (max(X) sqrt(m)).

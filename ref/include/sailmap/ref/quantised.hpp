@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -31,14 +32,14 @@ struct Quantised {
     constexpr double half = Point::rounding == hls::Rounding::rnd ? 0.5 : 0;
     constexpr auto least = static_cast<double>(Point::min_raw());
     constexpr auto largest = static_cast<double>(Point::max_raw());
-    const double raw = std::floor(value * power_of_two(Point::fraction) + half);
-    if constexpr (Point::overflow == hls::Overflow::sat) {
-      return std::clamp(raw, least, largest) * power_of_two(-Point::fraction);
-    }
+    constexpr double scale = power_of_two(Point::fraction);
+    constexpr double lsb = power_of_two(-Point::fraction);
+    const double raw = floor_of(value * scale + half);
+    if constexpr (Point::overflow == hls::Overflow::sat) return std::clamp(raw, least, largest) * lsb;
     if (raw < least || raw > largest) {
       throw std::range_error(std::string(Point::name()) + ": " + std::to_string(value) + " does not fit");
     }
-    return raw * power_of_two(-Point::fraction);
+    return raw * lsb;
   }
 
   static GaborFilters gabor_filters() { return integer_gabor_filters(); }
@@ -56,6 +57,12 @@ struct Quantised {
   }
 
  private:
+  // std::floor of what an int64_t holds; many times as fast where the processor's own rounding may not be
+  // assumed.
+  static double floor_of(double value) {
+    const auto towards_zero = static_cast<double>(static_cast<std::int64_t>(value));
+    return towards_zero > value ? towards_zero - 1 : towards_zero;
+  }
   static constexpr double power_of_two(int exponent) {
     double value = 1;
     for (int i = 0; i < exponent; ++i) value *= 2;

@@ -25,7 +25,7 @@ Plane<double> sum_of(std::span<const Plane<double>> maps) {
   return out;
 }
 
-// C_I, C_C or C_O: the sum of the normalised feature maps of one kind.
+// C_I, C_C or C_O: the sum of the normalised feature maps of one kind, at Point.
 template <class Policy, class Point>
 Plane<double> conspicuity(std::span<const Plane<double>> normalised) {
   return sum_of<Policy, Point>(normalised);
@@ -33,11 +33,12 @@ Plane<double> conspicuity(std::span<const Plane<double>> normalised) {
 
 // S = C~_I + C~_C + C~_O, each C normalised by eq. 1 again.
 template <class Policy>
-Plane<double> saliency(const std::array<Plane<double>, hls::geometry::conspicuity_maps>& conspicuities) {
+Plane<double> saliency(const std::array<Plane<double>, hls::geometry::conspicuity_maps>& conspicuities,
+                       const std::array<MapStatistics, hls::geometry::conspicuity_maps>& statistics) {
   std::array<Plane<double>, hls::geometry::conspicuity_maps> normalised;
   for (std::size_t kind = 0; kind < conspicuities.size(); ++kind) {
-    const MapStatistics stats = statistics(conspicuities[kind], Policy::tie);
-    normalised[kind] = normalise<Policy, point::normalised_conspicuity>(conspicuities[kind], stats);
+    normalised[kind] =
+        normalise<Policy, point::normalised_conspicuity>(conspicuities[kind], statistics[kind]);
   }
   return sum_of<Policy, point::saliency>(normalised);
 }
