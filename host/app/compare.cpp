@@ -63,7 +63,7 @@ struct Totals {
 
 void add(Totals& totals, const ImageDifference& difference) {
   ++totals.images;
-  totals.images_of_other_m += difference.features_of_other_m > 0 ? 1 : 0;
+  totals.images_of_other_m += difference.maps_of_other_m > 0 ? 1 : 0;
   totals.regions += difference.regions;
   totals.same_regions += difference.same_regions;
   totals.near_regions += difference.near_regions;

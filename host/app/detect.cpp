@@ -17,6 +17,7 @@
 #include "sailmap/file.hpp"
 #include "sailmap/frontend.hpp"
 #include "sailmap/npy.hpp"
+#include "sailmap/number_format.hpp"
 #include "sailmap/signature.hpp"
 
 namespace sailmap::app {
@@ -53,16 +54,36 @@ void for_each_map(const Maps& maps, const std::function<void(std::string_view, c
   visit("saliency", maps.saliency);
 }
 
+// How to read the numbers of a map: value = raw * lsb, and for fixed point lsb = unit / 2^fraction.
+ordered_json format_of(const Map& map) {
+  ordered_json out = {{"format", map.format}, {"lsb", map.lsb}};
+  if (const NumberFormat* format = find_number_format(map.format)) {
+    out["word"] = format->word;
+    out["fraction"] = format->fraction;
+    out["signed"] = format->is_signed;
+    out["rounding"] = format->rounding;
+    out["overflow"] = format->overflow;
+    out["unit"] = format->unit;
+  }
+  return out;
+}
+
+void add_statistics(const MapStatistics& statistics, ordered_json& entry) {
+  entry["maximum"] = statistics.maximum;
+  entry["maxima"] = statistics.maxima;
+}
+
 void save_maps(const Maps& maps, const fs::path& folder) {
   ordered_json formats;
   for_each_map(maps, [&](std::string_view name, const Map& map) {
     write_npy(folder / (std::string(name) + ".npy"), map);
-    formats[std::string(name)] = {{"format", map.format}, {"lsb", map.lsb}};
+    formats[std::string(name)] = format_of(map);
   });
   for (std::size_t i = 0; i < feature_count; ++i) {
-    ordered_json& entry = formats[std::string(feature_names[i])];
-    entry["maximum"] = maps.feature_statistics[i].maximum;
-    entry["maxima"] = maps.feature_statistics[i].maxima;
+    add_statistics(maps.feature_statistics[i], formats[std::string(feature_names[i])]);
+  }
+  for (std::size_t i = 0; i < conspicuity_count; ++i) {
+    add_statistics(maps.conspicuity_statistics[i], formats[std::string(conspicuity_names[i])]);
   }
   write_file(folder / "maps.json", [&](std::ostream& out) { out << formats.dump(2) << '\n'; });
 }

@@ -1,10 +1,9 @@
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
 #include "documents.hpp"
-#include "sailmap/hls/accuracy.hpp"
-#include "sailmap/hls/formats.hpp"
-#include "sailmap/hls/ranges.hpp"
+#include "sailmap/number_format.hpp"
 
 namespace sailmap::numbers {
 namespace {
@@ -29,18 +28,10 @@ fraction means that the least significant bit (LSB) is worth more than one unit.
 |---|---|---|---|---|---|---|---|
 )";
 
-std::string upper(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return text;
-}
-
-template <class F>
-void write_row(std::ostream& out, const std::string& rounding, const std::string& overflow, const char* unit,
-               const char* what) {
-  out << "| `" << F::name() << "` | " << F::word << " | " << (F::is_signed ? 's' : 'u')
-      << F::word - F::fraction << '.' << F::fraction << " | SC_" << upper(rounding) << " | SC_"
-      << upper(overflow) << " | " << unit << " | " << std::setprecision(3) << hls::accuracy::lsb<F>() << " | "
-      << what << " |\n";
+void write_row(std::ostream& out, const NumberFormat& f) {
+  out << "| `" << f.name << "` | " << f.word << " | " << (f.is_signed ? 's' : 'u') << f.word - f.fraction
+      << '.' << f.fraction << " | " << f.rounding << " | " << f.overflow << " | " << f.unit_name << " | "
+      << std::setprecision(3) << std::ldexp(f.unit, -f.fraction) << " | " << f.what << " |\n";
 }
 
 }  // namespace
@@ -48,10 +39,7 @@ void write_row(std::ostream& out, const std::string& rounding, const std::string
 std::string formats_document() {
   std::ostringstream out;
   out << introduction;
-#define SAILMAP_WRITE_ROW(name, word, fraction, sign, rounding, overflow, unit, what) \
-  write_row<hls::formats::name>(out, #rounding, #overflow, #unit, what);
-  SAILMAP_FORMAT_TABLE(SAILMAP_WRITE_ROW)
-#undef SAILMAP_WRITE_ROW
+  for (const NumberFormat& format : number_formats()) write_row(out, format);
   return out.str();
 }
 

@@ -33,9 +33,9 @@ struct MapDifference {
 
 struct ImageDifference {
   std::array<MapDifference, map_count> maps;
-  // Feature maps whose m (eq. 1) differs: a peak at half the maximum counts in one and not in the other, and
-  // the map is then scaled otherwise.
-  int features_of_other_m = 0;
+  // Feature and conspicuity maps whose m (eq. 1) differs: a peak at half the maximum counts in one and not in
+  // the other, and the map is then scaled otherwise.
+  int maps_of_other_m = 0;
   int regions = 0;       // of the expected five most salient ones ...
   int same_regions = 0;  // ... those among the tested five at the same base-level pixel
   int near_regions = 0;  // ... at most one base-level pixel away in x and y

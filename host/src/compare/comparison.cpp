@@ -88,7 +88,11 @@ ImageDifference compare_maps(const Maps& tested, const Maps& expected, const Reg
   }
   for (std::size_t i = 0; i < feature_count; ++i) {
     const bool same = tested.feature_statistics[i].maxima == expected.feature_statistics[i].maxima;
-    out.features_of_other_m += same ? 0 : 1;
+    out.maps_of_other_m += same ? 0 : 1;
+  }
+  for (std::size_t i = 0; i < conspicuity_count; ++i) {
+    const bool same = tested.conspicuity_statistics[i].maxima == expected.conspicuity_statistics[i].maxima;
+    out.maps_of_other_m += same ? 0 : 1;
   }
   compare_regions(tested, expected, regions, out);
   return out;

@@ -33,6 +33,7 @@ TEST(Comparison, ErrorsInUnitsAndShares) {
   tested.features[2].samples = raw;
   tested.features[2].lsb = 0.01;
   tested.feature_statistics[2].maxima = 4;
+  tested.conspicuity_statistics[1].maxima = 5;
   const ImageDifference d = compare_maps(tested, expected, {});
   EXPECT_DOUBLE_EQ(d.maps[2].largest, 1.04 - 1);
   EXPECT_DOUBLE_EQ(d.maps[2].lsb, 0.01);
@@ -40,7 +41,7 @@ TEST(Comparison, ErrorsInUnitsAndShares) {
   EXPECT_NEAR(d.maps[2].rms_share(), 0.04 / 40, 1e-12);
   EXPECT_EQ(d.maps[3].largest, 0);
   EXPECT_EQ(d.maps[3].lsb, 0);
-  EXPECT_EQ(d.features_of_other_m, 1);
+  EXPECT_EQ(d.maps_of_other_m, 2);
   const Maps difference = difference_maps(tested, expected);
   EXPECT_NEAR(difference.features[2].at(3, 4), 0.04, 1e-12);
   EXPECT_EQ(difference.features[3].at(3, 4), 0);
