@@ -7,16 +7,21 @@
 
 namespace sailmap::app {
 
-DescribedImage describe_image(std::string name, cv::Mat image, Frontend& frontend,
-                              const RegionConfig& regions) {
-  DescribedImage out;
+void describe_into(const std::string& name, cv::Mat image, Frontend& frontend, const RegionConfig& regions,
+                   DescribedImage& out) {
   out.image = std::move(image);
   try {
     frontend.compute(view_of(out.image), out.maps);
   } catch (const Error& fault) {
-    throw Error(std::move(name) + ": " + fault.what());
+    throw Error(name + ": " + fault.what());
   }
   out.signature = make_signature(out.maps, regions);
+}
+
+DescribedImage describe_image(const std::string& name, cv::Mat image, Frontend& frontend,
+                              const RegionConfig& regions) {
+  DescribedImage out;
+  describe_into(name, std::move(image), frontend, regions, out);
   return out;
 }
 

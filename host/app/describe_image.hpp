@@ -15,8 +15,12 @@ struct DescribedImage {
   Signature signature;
 };
 
+// As below, reusing the memory of `out`.
+void describe_into(const std::string& name, cv::Mat image, Frontend& frontend, const RegionConfig& regions,
+                   DescribedImage& out);
+
 // `name` is for messages. Throws Error that names the image.
-DescribedImage describe_image(std::string name, cv::Mat image, Frontend& frontend,
+DescribedImage describe_image(const std::string& name, cv::Mat image, Frontend& frontend,
                               const RegionConfig& regions);
 DescribedImage describe_image(const std::string& path, Frontend& frontend, const RegionConfig& regions);
 

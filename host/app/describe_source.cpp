@@ -1,16 +1,12 @@
 #include "describe_source.hpp"
 
-#include <tbb/parallel_pipeline.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <thread>
 #include <utility>
 
-#include "describe_image.hpp"
+#include "image_pipeline.hpp"
 #include "progress.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/image_source.hpp"
@@ -43,20 +39,15 @@ int count_frames(ImageSource& source) {
   return count;
 }
 
-struct Described {
-  std::string name;
-  Signature signature;
-};
-
-void append(DescribedSource& out, Described described) {
-  if (!out.signatures.empty() && (described.signature.width != out.signatures.front().width ||
-                                  described.signature.height != out.signatures.front().height)) {
+void append(DescribedSource& out, const std::string& name, Signature signature) {
+  if (!out.signatures.empty() && (signature.width != out.signatures.front().width ||
+                                  signature.height != out.signatures.front().height)) {
     const Signature& first = out.signatures.front();
-    throw Error(described.name + ": " + std::to_string(described.signature.width) + "x" +
-                std::to_string(described.signature.height) + " pixels, but the images before are " +
-                std::to_string(first.width) + "x" + std::to_string(first.height));
+    throw Error(name + ": " + std::to_string(signature.width) + "x" + std::to_string(signature.height) +
+                " pixels, but the images before are " + std::to_string(first.width) + "x" +
+                std::to_string(first.height));
   }
-  out.signatures.push_back(std::move(described.signature));
+  out.signatures.push_back(std::move(signature));
 }
 
 }  // namespace
@@ -75,31 +66,15 @@ DescribedSource describe_source(const std::string& source, const DescribeOptions
   const auto start = std::chrono::steady_clock::now();
   Progress progress("describe", images->size());
   DescribedSource out;
-  const std::size_t in_flight = std::size_t{2} * std::max(1U, std::thread::hardware_concurrency());
-  tbb::parallel_pipeline(
-      in_flight,
-      tbb::make_filter<void, std::shared_ptr<Frame>>(tbb::filter_mode::serial_in_order,
-                                                     [&](tbb::flow_control& flow) -> std::shared_ptr<Frame> {
-                                                       std::optional<Frame> frame = images->next();
-                                                       if (frame)
-                                                         return std::make_shared<Frame>(std::move(*frame));
-                                                       flow.stop();
-                                                       return nullptr;
-                                                     }) &
-          tbb::make_filter<std::shared_ptr<Frame>, std::shared_ptr<Described>>(
-              tbb::filter_mode::parallel,
-              [&](const std::shared_ptr<Frame>& frame) {
-                thread_local std::unique_ptr<Frontend> frontend;
-                if (!frontend || frontend->name() != options.frontend)
-                  frontend = make_frontend(options.frontend);
-                DescribedImage d = describe_image(frame->name, frame->image, *frontend, options.regions);
-                return std::make_shared<Described>(Described{frame->name, std::move(d.signature)});
-              }) &
-          tbb::make_filter<std::shared_ptr<Described>, void>(
-              tbb::filter_mode::serial_in_order, [&](const std::shared_ptr<Described>& described) {
-                append(out, std::move(*described));
-                progress.step_to(static_cast<int>(out.signatures.size()));
-              }));
+  ImagePipeline pipeline;
+  pipeline.frontend = options.frontend;
+  pipeline.regions = options.regions;
+  pipeline.use = [&](const std::string& name, Signature signature) {
+    append(out, name, std::move(signature));
+    progress.step_to(static_cast<int>(out.signatures.size()));
+    return true;
+  };
+  run_pipeline(*images, pipeline);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   out.images_per_second = seconds > 0 ? static_cast<double>(out.signatures.size()) / seconds : 0;
   return out;

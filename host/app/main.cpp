@@ -2,9 +2,12 @@
 // code.
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <opencv2/core/utility.hpp>
+#include <optional>
 
 #include "commands.hpp"
 #include "sailmap/error.hpp"
@@ -19,10 +22,20 @@ int parse_and_run(int argc, char** argv) {
   app.name("sailmap");
   app.set_version_flag("--version", SAILMAP_VERSION);
   app.require_subcommand(1);
+  app.fallthrough();  // options of the whole program may stand behind the subcommand
   app.get_formatter()->column_width(38);
   app.footer(
       "Results go to standard output and files, progress and messages to standard error.\n"
       "Exit codes: 0 done, 1 something failed (one line says what), 2 wrong use.");
+  int threads = 0;
+  app.add_option("--threads", threads, "Threads to work on; 0: one a core. Results do not depend on it")
+      ->check(CLI::Range(0, 1024).description(""))
+      ->capture_default_str();
+  std::optional<tbb::global_control> limit;
+  app.parse_complete_callback([&] {
+    if (threads > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, threads);
+    cv::setNumThreads(threads == 0 ? -1 : threads);
+  });
   sailmap::app::add_detect(app);
   sailmap::app::add_match(app);
   sailmap::app::add_run(app);

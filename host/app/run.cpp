@@ -6,13 +6,14 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "commands.hpp"
-#include "describe_image.hpp"
+#include "image_pipeline.hpp"
 #include "map/config_json.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -92,37 +93,36 @@ struct Counts {
   double seconds = 0;
 };
 
-// Nothing at the end of the source or when the run is over; unreadable images are reported and passed over
-// when the user asked for that.
-std::optional<Frame> next_frame(ImageSource& source, const Options& options, Progress& progress) {
-  while (interrupted == 0) {
-    try {
-      return source.next();
-    } catch (const Error& fault) {
-      if (!options.skip_bad) throw;
-      progress.clear();
-      spdlog::warn("skipped {}", fault.what());
-    }
-  }
-  return {};
-}
-
 void report(const Update& update, const TopologicalMap& map, const Options& options) {
   fmt::print("{}\n", options.json ? dump(event_of(update, map)) : line_of(update, map));
   std::fflush(stdout);
 }
 
-void map_source(ImageSource& source, Frontend& frontend, TopologicalMap& map, const Options& options,
+// Unreadable images are reported and passed over when the user asked for that.
+bool skip(const std::exception_ptr& fault, const Options& options, Progress& progress) {
+  try {
+    std::rethrow_exception(fault);
+  } catch (const Error& error) {
+    if (!options.skip_bad) throw;
+    progress.clear();
+    spdlog::warn("skipped {}", error.what());
+  }
+  return true;
+}
+
+void map_source(ImageSource& source, TopologicalMap& map, const std::string& frontend, const Options& options,
                 Counts& counts) {
   const auto start = std::chrono::steady_clock::now();
   std::optional<int> total = source.size();
   if (options.max_images > 0) total = std::min(total.value_or(options.max_images), options.max_images);
   Progress progress("run", total);
-  while (options.max_images == 0 || counts.images < options.max_images) {
-    std::optional<Frame> frame = next_frame(source, options, progress);
-    if (!frame) break;
-    DescribedImage d = describe_image(frame->name, std::move(frame->image), frontend, map.config().regions);
-    const Update& update = map.add(frame->name, std::move(d.signature));
+  ImagePipeline pipeline;
+  pipeline.frontend = frontend;
+  pipeline.regions = map.config().regions;
+  pipeline.go_on = [] { return interrupted == 0; };
+  pipeline.on_fault = [&](const std::exception_ptr& fault) { return skip(fault, options, progress); };
+  pipeline.use = [&](const std::string& name, Signature signature) {
+    const Update& update = map.add(name, std::move(signature));
     ++counts.images;
     if (update.detection.accepted()) {
       ++counts.loops;
@@ -131,7 +131,9 @@ void map_source(ImageSource& source, Frontend& frontend, TopologicalMap& map, co
     }
     progress.step_to(counts.images);
     counts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
+    return options.max_images == 0 || counts.images < options.max_images;
+  };
+  run_pipeline(source, pipeline);
 }
 
 void print_summary(const Counts& counts, const TopologicalMap& map, const Options& options) {
@@ -157,12 +159,11 @@ void print_summary(const Counts& counts, const TopologicalMap& map, const Option
 void run(const Options& options, const OptionKeys& given) {
   const auto store = open_map_store(options.map);
   StoredMap stored = open_map(*store, options, given);
-  const auto frontend = make_frontend(stored.frontend);
   const auto source = open_source(options.source);
   std::signal(SIGINT, on_interrupt);
   Counts counts;
   try {
-    map_source(*source, *frontend, stored.map, options, counts);
+    map_source(*source, stored.map, stored.frontend, options, counts);
   } catch (const Error& fault) {
     // Image files can be given again, so the map stays as it was; what a camera or video showed must not be
     // lost.

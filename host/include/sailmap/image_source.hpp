@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <optional>
@@ -17,6 +18,12 @@ struct Frame {
   cv::Mat image;     // 8-bit BGR
 };
 
+// An image not decoded yet.
+struct PendingFrame {
+  std::string name;
+  std::function<cv::Mat()> read;  // 8-bit BGR; safe on any thread. Throws Error, naming the image.
+};
+
 class ImageSource {
  public:
   ImageSource() = default;
@@ -27,6 +34,9 @@ class ImageSource {
   virtual ~ImageSource() = default;
   // The next frame, or nothing at the end. Throws Error, naming the image, when one cannot be read.
   virtual std::optional<Frame> next() = 0;
+  // As next(), but the decoding is left to the caller where the source allows that, so that threads can share
+  // it.
+  virtual std::optional<PendingFrame> next_pending();
   // How many images there are in all, when known beforehand.
   [[nodiscard]] virtual std::optional<int> size() const = 0;
 };

@@ -25,6 +25,11 @@ class ListedImages final : public ImageSource {
     const std::filesystem::path& path = paths_[next_++];
     return Frame{path.string(), read_image(path)};
   }
+  std::optional<PendingFrame> next_pending() override {
+    if (next_ == paths_.size()) return std::nullopt;
+    const std::filesystem::path& path = paths_[next_++];
+    return PendingFrame{path.string(), [path] { return read_image(path); }};
+  }
   [[nodiscard]] std::optional<int> size() const override { return static_cast<int>(paths_.size()); }
 
  private:
@@ -100,6 +105,12 @@ std::unique_ptr<ImageSource> open_camera(int index) {
 }
 
 }  // namespace
+
+std::optional<PendingFrame> ImageSource::next_pending() {
+  std::optional<Frame> frame = next();
+  if (!frame) return std::nullopt;
+  return PendingFrame{std::move(frame->name), [image = std::move(frame->image)] { return image; }};
+}
 
 std::unique_ptr<ImageSource> open_source(const std::string& source) {
   if (is_image_list(source)) return open_images(list_images(source));

@@ -71,6 +71,23 @@ class Run(ProgramCase):
         printed = self.run_program("run", "images", "--map", "m.json", "--sparse").splitlines()
         self.assertIn("8 images, 3 nodes", printed[-1])
 
+    def test_the_number_of_threads_changes_nothing(self):
+        self.write_sequence([0, 1, 2, 3, 4, 5, 0, 1, 2, 9])
+        for threads in ("1", "2", "7"):
+            self.run_program("run", "images", "--map", f"{threads}.json", "--exclude-recent", "2", "--threads", threads)
+        self.assertEqual((self.folder / "1.json").read_bytes(), (self.folder / "2.json").read_bytes())
+        self.assertEqual((self.folder / "1.json").read_bytes(), (self.folder / "7.json").read_bytes())
+        self.run_program("run", "images", "--map", "n.json", "--threads", "-1", code=2)
+        self.assertIn("--threads", self.errors)
+
+    def test_max_images_counts_what_was_used(self):
+        folder = self.write_sequence([0, 1, 2, 3, 4, 5, 6, 7])
+        (folder / "1.png").write_text("no image")
+        self.run_program("run", "images", "--map", "m.json", "--skip-bad", "--max-images", "3")
+        nodes = self.json("m.json")["map"]["nodes"]
+        self.assertIn("skipped images/1.png", self.errors)
+        self.assertEqual([v["name"] for n in nodes for v in n["views"]], [f"images/{i}.png" for i in (0, 2, 3)])
+
     def test_bad_images_leave_the_map_as_it_was(self):
         folder = self.write_sequence([0, 1, 2])
         self.run_program("run", "images", "--map", "m.json")
