@@ -1,5 +1,5 @@
 # What the host library, the program and the tests are built on: all of it Debian packages (scripts/setup).
-find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs videoio)
+find_package(OpenCV REQUIRED COMPONENTS core features2d imgproc imgcodecs videoio)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)

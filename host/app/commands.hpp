@@ -20,5 +20,6 @@ void add_eval(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_map(CLI::App& app);
+void add_fabmap(CLI::App& app);
 
 }  // namespace sailmap::app

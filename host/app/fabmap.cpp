@@ -1,0 +1,83 @@
+// sailmap fabmap train: the visual words that the method `fabmap` of `eval` needs.
+#include "sailmap/fabmap.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "progress.hpp"
+#include "sailmap/error.hpp"
+#include "sailmap/image_source.hpp"
+
+namespace sailmap::app {
+namespace {
+
+struct Options {
+  std::string source;
+  std::filesystem::path out;
+  int every = 1;
+  fabmap::TrainingConfig config;
+};
+
+std::vector<cv::Mat> read_images(const Options& options) {
+  const std::vector<std::filesystem::path> paths = list_images(options.source);
+  Progress progress("read", static_cast<int>(paths.size()));
+  std::vector<cv::Mat> images;
+  for (std::size_t i = 0; i < paths.size(); i += static_cast<std::size_t>(options.every)) {
+    images.push_back(read_image(paths[i]));
+    progress.step_to(static_cast<int>(i) + 1);
+  }
+  return images;
+}
+
+void train(const Options& options) {
+  fabmap::Vocabulary vocabulary;
+  const std::vector<cv::Mat> images = read_images(options);
+  try {
+    vocabulary = fabmap::train(images, options.config);
+  } catch (const Error& fault) {
+    throw Error(options.source + ": " + fault.what());
+  }
+  fabmap::write_vocabulary(options.out, vocabulary);
+  std::size_t words = 0;
+  for (const fabmap::Words& image : vocabulary.training) words += image.size();
+  fmt::print("{}: {} words from {} images, {:.1f} words an image\n", options.out.string(),
+             vocabulary.tree.size(), images.size(),
+             static_cast<double>(words) / static_cast<double>(images.size()));
+}
+
+void add_train(CLI::App& fabmap) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = fabmap.add_subcommand(
+      "train", "Learn words and their dependence from images of places that are not to be recognised");
+  command->add_option("FOLDER", options->source, "Folder of images, glob in quotes, or list file (.txt)")
+      ->required();
+  command->add_option("--out", options->out, "The vocabulary file")->required()->type_name("FILE");
+  const auto count = [&](const char* flag, int& value, const char* help, int least) {
+    command->add_option(flag, value, help)
+        ->check(CLI::Range(least, 1000000).description(""))
+        ->capture_default_str();
+  };
+  count("--words", options->config.words, "Words of the vocabulary", 2);
+  count("--features", options->config.features, "SIFT keypoints an image, at most", 1);
+  count("--sample", options->config.sample, "Descriptors that are clustered, at most", 2);
+  count("--iterations", options->config.iterations, "Rounds of k-means, at most", 1);
+  count("--every", options->every, "Take every so many-th image", 1);
+  command->add_option("--seed", options->config.seed, "The same seed gives the same words")
+      ->capture_default_str();
+  command->callback([options] { train(*options); });
+}
+
+}  // namespace
+
+void add_fabmap(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("fabmap", "FAB-MAP, the paper's comparison: learn its vocabulary");
+  command->require_subcommand(1);
+  add_train(*command);
+}
+
+}  // namespace sailmap::app

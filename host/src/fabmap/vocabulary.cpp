@@ -1,0 +1,76 @@
+// Visual words: clusters of SIFT descriptors.
+#include <algorithm>
+#include <numeric>
+#include <opencv2/core.hpp>
+#include <opencv2/features2d.hpp>
+#include <random>
+
+#include "check.hpp"
+#include "sailmap/fabmap.hpp"
+
+namespace sailmap::fabmap {
+namespace {
+
+cv::Mat descriptors_of(const cv::Mat& image, int features) {
+  std::vector<cv::KeyPoint> keypoints;
+  cv::Mat descriptors;
+  cv::SIFT::create(features)->detectAndCompute(image, cv::noArray(), keypoints, descriptors);
+  return descriptors;
+}
+
+// Each descriptor's nearest centre, the words in rising order.
+Words nearest(const cv::Mat& descriptors, const cv::Mat& centres) {
+  Words words;
+  if (descriptors.empty()) return words;
+  std::vector<cv::DMatch> matches;
+  cv::BFMatcher(cv::NORM_L2).match(descriptors, centres, matches);
+  for (const cv::DMatch& match : matches) words.push_back(match.trainIdx);
+  std::ranges::sort(words);
+  const auto repeated = std::ranges::unique(words);
+  words.erase(repeated.begin(), repeated.end());
+  return words;
+}
+
+// At most `most` rows, chosen at random.
+cv::Mat sample(const cv::Mat& rows, int most, unsigned seed) {
+  if (rows.rows <= most) return rows;
+  std::vector<int> order(static_cast<std::size_t>(rows.rows));
+  std::iota(order.begin(), order.end(), 0);
+  std::mt19937 random(seed);
+  for (std::size_t i = order.size() - 1; i > 0; --i) std::swap(order[i], order[random() % (i + 1)]);
+  cv::Mat out;
+  for (int i = 0; i < most; ++i) out.push_back(rows.row(order[static_cast<std::size_t>(i)]));
+  return out;
+}
+
+}  // namespace
+
+Vocabulary train(const std::vector<cv::Mat>& images, const TrainingConfig& config) {
+  if (config.words < 2) throw Error("fabmap: a vocabulary needs at least 2 words");
+  std::vector<cv::Mat> each;
+  cv::Mat all;
+  for (const cv::Mat& image : images) {
+    each.push_back(descriptors_of(image, config.features));
+    if (!each.back().empty()) all.push_back(each.back());
+  }
+  if (all.rows < config.words) {
+    throw Error("fabmap: " + std::to_string(all.rows) + " descriptors in " + std::to_string(images.size()) +
+                " images are too few for " + std::to_string(config.words) + " words");
+  }
+  Vocabulary out;
+  cv::theRNG().state = config.seed;
+  const cv::Mat chosen = sample(all, std::max(config.sample, config.words), config.seed);
+  cv::Mat labels;
+  cv::kmeans(chosen, config.words, labels,
+             cv::TermCriteria(cv::TermCriteria::MAX_ITER + cv::TermCriteria::EPS, config.iterations, 1e-3), 1,
+             cv::KMEANS_PP_CENTERS, out.centres);
+  for (const cv::Mat& descriptors : each) out.training.push_back(nearest(descriptors, out.centres));
+  out.tree = learn_tree(out.training, config.words);
+  return out;
+}
+
+Words words_of(const cv::Mat& image, const Vocabulary& vocabulary, int features) {
+  return nearest(descriptors_of(image, features), vocabulary.centres);
+}
+
+}  // namespace sailmap::fabmap

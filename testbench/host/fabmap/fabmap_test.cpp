@@ -1,0 +1,286 @@
+// FAB-MAP against cases worked by hand, against a naive sum over all states, and against brute force.
+#include "sailmap/fabmap.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <opencv2/imgproc.hpp>
+#include <random>
+
+#include "host/io/temporary_folder.hpp"
+#include "sailmap/error.hpp"
+
+namespace sailmap::fabmap {
+namespace {
+
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+// Words 0 and 1 always come together, 2 comes with 0 and 1 or not as chance has it.
+const std::vector<Words> pairs = {{0, 1, 2}, {0, 1}, {2}, {}, {0, 1, 2}, {0, 1}, {2}, {}};
+
+TEST(ChowLiu, JoinsWhatComesTogether) {
+  const ChowLiuTree tree = learn_tree(pairs, 3);
+  EXPECT_EQ(tree[0].parent, -1);
+  EXPECT_EQ(tree[1].parent, 0);
+  // Eight images, four with each word: (4 + 1/2) / (8 + 1), and of the four with word 0 all have word 1.
+  EXPECT_DOUBLE_EQ(tree[0].marginal, 0.5);
+  EXPECT_DOUBLE_EQ(tree[1].given_parent, 4.5 / 5);
+  EXPECT_DOUBLE_EQ(tree[1].given_no_parent, 0.5 / 5);
+  EXPECT_DOUBLE_EQ(tree[2].given_parent, 2.5 / 5);
+  EXPECT_DOUBLE_EQ(tree[2].given_no_parent, 2.5 / 5);
+}
+
+// Mutual information of two words by the definition, from all images.
+double information(const std::vector<Words>& images, int a, int b) {
+  double joint[2][2] = {};
+  for (const Words& words : images) {
+    const auto has = [&words](int w) { return std::ranges::find(words, w) != words.end() ? 1 : 0; };
+    joint[has(a)][has(b)] += 1.0 / static_cast<double>(images.size());
+  }
+  double sum = 0;
+  for (int i = 0; i < 2; ++i) {
+    for (int k = 0; k < 2; ++k) {
+      const double of_a = joint[i][0] + joint[i][1];
+      const double of_b = joint[0][k] + joint[1][k];
+      if (joint[i][k] > 0) sum += joint[i][k] * std::log(joint[i][k] / (of_a * of_b));
+    }
+  }
+  return sum;
+}
+
+std::vector<Words> random_images(int count, int words, std::mt19937& random) {
+  std::vector<Words> images;
+  for (int i = 0; i < count; ++i) {
+    Words image;
+    for (int w = 0; w < words; ++w) {
+      if (random() % 3 == 0 || (w % 2 == 1 && !image.empty() && image.back() == w - 1 && random() % 4 != 0)) {
+        image.push_back(w);
+      }
+    }
+    images.push_back(image);
+  }
+  return images;
+}
+
+unsigned seed() {
+  const unsigned value = std::random_device{}();
+  std::cout << "seed " << value << '\n';
+  return value;
+}
+
+// Of all trees over four words (by their parents), none has more mutual information.
+TEST(ChowLiu, IsTheTreeOfMostInformation) {
+  std::mt19937 random(seed());
+  for (int run = 0; run < 50; ++run) {
+    const std::vector<Words> images = random_images(25, 4, random);
+    const ChowLiuTree tree = learn_tree(images, 4);
+    double learned = 0;
+    for (int w = 1; w < 4; ++w) learned += information(images, w, tree[static_cast<std::size_t>(w)].parent);
+    double most = 0;
+    for (int p1 = 0; p1 < 4; ++p1) {
+      for (int p2 = 0; p2 < 4; ++p2) {
+        for (int p3 = 0; p3 < 4; ++p3) {
+          const int parents[4] = {0, p1, p2, p3};
+          const auto reaches_root = [&parents](int w) {
+            for (int step = 0; step < 4; ++step) w = parents[w];
+            return w == 0;
+          };
+          if (!reaches_root(1) || !reaches_root(2) || !reaches_root(3)) continue;
+          most = std::max(
+              most, information(images, 1, p1) + information(images, 2, p2) + information(images, 3, p3));
+        }
+      }
+    }
+    EXPECT_NEAR(learned, most, 1e-12);
+  }
+}
+
+TEST(ChowLiu, RefusesWhatItCannotLearnFrom) {
+  EXPECT_THROW(learn_tree({}, 3), Error);
+  EXPECT_THROW(learn_tree({{0, 3}}, 3), Error);
+  EXPECT_THROW(learn_tree({{1, 0}}, 3), Error);
+}
+
+// One word without parent, marginal 1/2, detector 0.4 / 0. A place that shows it has the element for sure, so
+// p(z=1) follows from the detector and the marginal: in favour 1/2 * 0.4 * 1/2, against 1/2 * 0.6 * 1/2, 0.4.
+// One that does not has it with 0.6 * 1/2 / (0.6 * 1/2 + 1/2) = 3/8, so p(z=1) = 3/8 * 0.4 = 0.15.
+TEST(Places, OneWordByHand) {
+  FabmapConfig config;
+  config.detect_present = 0.4;
+  Places places({{-1, 0.5, 0.5, 0.5}}, config);
+  places.add({0});
+  places.add({});
+  EXPECT_THAT(places.log_likelihoods({0}),
+              ElementsAre(DoubleNear(std::log(0.4), 1e-12), DoubleNear(std::log(0.15), 1e-12)));
+  EXPECT_THAT(places.log_likelihoods({}),
+              ElementsAre(DoubleNear(std::log(0.6), 1e-12), DoubleNear(std::log(0.85), 1e-12)));
+}
+
+// Two words, the second seen with the first in 9 of 10 cases: seeing it alone is less likely than both, and a
+// place with the first word alone explains both words better than one without any.
+TEST(Places, TheTreeExplainsWordsThatComeTogether) {
+  FabmapConfig config;
+  config.detect_present = 0.4;
+  Places places({{-1, 0.5, 0.5, 0.5}, {0, 0.5, 0.9, 0.1}}, config);
+  places.add({0});
+  places.add({});
+  const auto both = places.log_likelihoods({0, 1});
+  const auto alone = places.log_likelihoods({1});
+  EXPECT_GT(both[0], both[1]);
+  EXPECT_GT(both[0], alone[0]);
+  // Of the place without words: the first word 0.15 as above; the second, its parent seen, has with the
+  // element 0.9 * 0.4 / (0.9 * 0.4 + 0.1 * 0.6) = 6/7, so 3/8 * 6/7.
+  EXPECT_NEAR(both[1], std::log(0.15) + std::log(3.0 / 8 * 6 / 7), 1e-12);
+}
+
+// log p(Z | place) by a sum over all words, no index.
+double naive(const ChowLiuTree& tree, const FabmapConfig& config, const Words& place, const Words& image) {
+  const auto has = [](const Words& words, int w) { return std::ranges::binary_search(words, w); };
+  const auto either = [](bool value, double p) { return value ? p : 1 - p; };
+  double sum = 0;
+  for (int w = 0; w < static_cast<int>(tree.size()); ++w) {
+    const TreeNode& node = tree[static_cast<std::size_t>(w)];
+    const bool z = has(image, w);
+    const double tree_seen = node.parent < 0           ? node.marginal
+                             : has(image, node.parent) ? node.given_parent
+                                                       : node.given_no_parent;
+    double p = 0;
+    double evidence = 0;
+    for (const bool element : {false, true}) {
+      const double detect = element ? config.detect_present : config.detect_absent;
+      const double prior = either(element, node.marginal) * either(has(place, w), detect);
+      const double alpha = either(z, node.marginal) * either(!z, detect) * either(!z, tree_seen);
+      const double beta = either(!z, node.marginal) * either(z, detect) * either(z, tree_seen);
+      p += prior / (1 + (beta == 0 ? INFINITY : alpha / beta));
+      evidence += prior;
+    }
+    sum += std::log(p / evidence);
+  }
+  return sum;
+}
+
+TEST(Places, TheIndexIsExact) {
+  std::mt19937 random(seed());
+  const int words = 40;
+  const std::vector<Words> images = random_images(60, words, random);
+  const ChowLiuTree tree = learn_tree(images, words);
+  Places places(tree, {});
+  for (const Words& image : images) places.add(image);
+  for (const Words& query : random_images(20, words, random)) {
+    const auto got = places.log_likelihoods(query);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      EXPECT_NEAR(got[i], naive(tree, {}, images[i], query), 1e-9);
+    }
+  }
+}
+
+TEST(Places, RefuseBadNumbers) {
+  EXPECT_THROW(Places({{-1, 1.0, 0.5, 0.5}}, {}), Error);
+  EXPECT_THROW(Places({{5, 0.5, 0.5, 0.5}}, {}), Error);
+  FabmapConfig config;
+  config.detect_present = 1;
+  EXPECT_THROW(Places({{-1, 0.5, 0.5, 0.5}}, config), Error);
+  Places places({{-1, 0.5, 0.5, 0.5}}, {});
+  EXPECT_THROW(places.add({1}), Error);
+  EXPECT_THROW((void)places.log_likelihoods({-1}), Error);
+}
+
+Vocabulary of_words(const std::vector<Words>& training, int words) {
+  return {cv::Mat::zeros(words, 128, CV_32F), learn_tree(training, words), training};
+}
+
+TEST(Posterior, AddsUpToOneAndKnowsTheSameImage) {
+  std::mt19937 random(seed());
+  const int words = 60;
+  Fabmap fabmap(of_words(random_images(100, words, random), words), {});
+  const std::vector<Words> images = random_images(30, words, random);
+  for (const Words& image : images) fabmap.add(image);
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const auto posterior = fabmap.posterior(images[i], images.size());
+    double sum = posterior.new_place;
+    for (const double p : posterior.places) sum += p;
+    EXPECT_NEAR(sum, 1, 1e-9);
+    const auto best = std::ranges::max_element(posterior.places) - posterior.places.begin();
+    EXPECT_EQ(best, static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+TEST(Posterior, LooksAtTheFirstPlacesAlone) {
+  Fabmap fabmap(of_words(pairs, 3), {});
+  fabmap.add({0, 1});
+  fabmap.add({2});
+  EXPECT_EQ(fabmap.posterior({2}, 0).new_place, 1);
+  EXPECT_EQ(fabmap.posterior({2}, 1).places.size(), 1U);
+  EXPECT_EQ(fabmap.posterior({2}, 2).places.size(), 2U);
+  EXPECT_GT(fabmap.posterior({2}, 2).places[1], fabmap.posterior({2}, 2).places[0]);
+}
+
+cv::Mat scene(unsigned place) {
+  cv::Mat image(120, 160, CV_8UC3, cv::Scalar(90, 90, 90));
+  std::mt19937 random(place);
+  for (int i = 0; i < 30; ++i) {
+    const cv::Point at(static_cast<int>(random() % 150), static_cast<int>(random() % 110));
+    const auto level = [&random] { return static_cast<double>(random() % 256); };
+    const cv::Scalar colour(level(), level(), level());
+    cv::rectangle(image, at,
+                  at + cv::Point(5 + static_cast<int>(random() % 20), 5 + static_cast<int>(random() % 20)),
+                  colour, -1);
+  }
+  return image;
+}
+
+TEST(Training, MakesAVocabularyThatRecognises) {
+  std::vector<cv::Mat> images;
+  for (unsigned place = 0; place < 12; ++place) images.push_back(scene(place));
+  TrainingConfig config;
+  config.words = 40;
+  const Vocabulary vocabulary = train(images, config);
+  EXPECT_EQ(vocabulary.centres.rows, 40);
+  EXPECT_EQ(vocabulary.training.size(), images.size());
+  EXPECT_EQ(words_of(images[3], vocabulary), vocabulary.training[3]);
+  Fabmap fabmap(vocabulary, {});
+  for (unsigned place = 100; place < 106; ++place) fabmap.add(words_of(scene(place), vocabulary));
+  const auto posterior = fabmap.posterior(words_of(scene(102), vocabulary), 6);
+  EXPECT_EQ(std::ranges::max_element(posterior.places) - posterior.places.begin(), 2);
+  config.words = 100000;
+  EXPECT_THAT([&] { train(images, config); }, ThrowsMessage<Error>(HasSubstr("too few for 100000 words")));
+}
+
+TEST(VocabularyFile, IsReadAsWritten) {
+  const testing::TemporaryFolder folder;
+  const Vocabulary written = of_words(pairs, 3);
+  write_vocabulary(folder.path() / "v.json", written);
+  const Vocabulary read = read_vocabulary(folder.path() / "v.json");
+  EXPECT_EQ(read.training, written.training);
+  EXPECT_EQ(cv::countNonZero(read.centres != written.centres), 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(read.tree[i].parent, written.tree[i].parent);
+    EXPECT_EQ(read.tree[i].given_parent, written.tree[i].given_parent);
+  }
+}
+
+TEST(VocabularyFile, DamageIsNamed) {
+  const testing::TemporaryFolder folder;
+  const auto expect_fault = [&](const std::string& text, const std::string& fault) {
+    const auto path = folder.file("v.json", text);
+    EXPECT_THAT([&] { read_vocabulary(path); },
+                ThrowsMessage<Error>(AllOf(HasSubstr("v.json: "), HasSubstr(fault))));
+  };
+  expect_fault("", "damaged");
+  expect_fault("{}", "damaged");
+  expect_fault(R"({"format": "else"})", "not a sailmap vocabulary");
+  expect_fault(R"({"format": "sailmap fabmap vocabulary", "version": 9})", "version 9");
+  expect_fault(
+      R"({"format": "sailmap fabmap vocabulary", "version": 1, "centres": [], "tree": [], "training": []})",
+      "0 words");
+  EXPECT_THAT([&] { read_vocabulary(folder.path() / "none.json"); },
+              ThrowsMessage<Error>(HasSubstr("none.json")));
+}
+
+}  // namespace
+}  // namespace sailmap::fabmap
