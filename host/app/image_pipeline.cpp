@@ -54,7 +54,7 @@ void describe(Item& item, const ImagePipeline& pipeline) {
 
 void run_pipeline(ImageSource& source, const ImagePipeline& pipeline) {
   std::atomic<bool> over = false;
-  const auto in_flight = static_cast<std::size_t>(2 * tbb::info::default_concurrency());
+  const auto in_flight = 2 * static_cast<std::size_t>(tbb::info::default_concurrency());
   const auto reading =
       tbb::make_filter<void, Handle>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) {
         Handle item = over || !pipeline.go_on() ? nullptr : read(source);

@@ -30,7 +30,6 @@ struct FabmapConfig {
   double detect_present = 0.39;  // p(z = 1 | e = 1): an element that is there is seen; 0 .. 1, exclusive
   double detect_absent = 0;      // p(z = 1 | e = 0); 0 .. detect_present
   double new_place_prior = 0.9;  // 0 .. 1, exclusive
-  double smoothing = 0.99;       // sigma: 1 - sigma of the probability is spread evenly; 0 .. 1
 };
 
 // p(Z | place) for growing sets of places, each known by the words of one image.
@@ -96,12 +95,9 @@ class Fabmap {
   void add(const Words& words) { places_.add(words); }
   [[nodiscard]] std::size_t size() const { return places_.size(); }
 
-  struct Posterior {
-    std::vector<double> places;  // adds up to 1 with new_place
-    double new_place = 1;
-  };
-  // Over the first `count` places, at most size().
-  [[nodiscard]] Posterior posterior(const Words& image, std::size_t count) const;
+  // Of the first `count` places, at most size(): log(p / (1 - p)), p = p(L_i | Z). Probabilities near 1 differ
+  // by less than a double can tell; their log-odds do not.
+  [[nodiscard]] std::vector<double> log_odds(const Words& image, std::size_t count) const;
 
  private:
   FabmapConfig config_;

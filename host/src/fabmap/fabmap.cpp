@@ -18,6 +18,29 @@ double log_mean_exp(const std::vector<double>& values) {
   return largest + std::log(sum / static_cast<double>(values.size()));
 }
 
+// log(p_i / sum of all p but p_i) of the first `count` of p = exp(logs), up to a common factor.
+std::vector<double> odds_against_the_rest(const std::vector<double>& logs, std::size_t count) {
+  const auto first = std::ranges::max_element(logs);
+  const auto top = static_cast<std::size_t>(first - logs.begin());
+  // Without the largest, which would leave nothing of the others in the sum when it is taken off again.
+  double second = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    if (i != top) second = std::max(second, logs[i]);
+  }
+  double others = 0;
+  for (std::size_t i = 0; i < logs.size(); ++i) others += i == top ? 0 : std::exp(logs[i] - second);
+  std::vector<double> out(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i == top) {
+      out[i] = logs[i] - second - std::log(others);
+    } else {
+      const double rest = std::exp(second - logs[top]) * (others - std::exp(logs[i] - second));
+      out[i] = logs[i] - logs[top] - std::log1p(std::max(0.0, rest));
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Fabmap::Fabmap(const Vocabulary& vocabulary, const FabmapConfig& config)
@@ -26,25 +49,15 @@ Fabmap::Fabmap(const Vocabulary& vocabulary, const FabmapConfig& config)
   for (const Words& words : vocabulary.training) samples_.add(words);
 }
 
-Fabmap::Posterior Fabmap::posterior(const Words& image, std::size_t count) const {
-  Posterior out;
-  if (count == 0) return out;
-  const std::vector<double> known = places_.log_likelihoods(image);
-  const auto last = known.begin() + static_cast<std::ptrdiff_t>(std::min(count, known.size()));
-  std::vector<double> scores(known.begin(), last);
-  scores.push_back(log_mean_exp(samples_.log_likelihoods(image)));
-  const double places = static_cast<double>(scores.size() - 1);
-  for (double& score : scores) score += std::log((1 - config_.new_place_prior) / places);
-  scores.back() += std::log(config_.new_place_prior * places / (1 - config_.new_place_prior));
-  const double largest = *std::ranges::max_element(scores);
-  double sum = 0;
-  for (double& score : scores) sum += score = std::exp(score - largest);
-  const double even = (1 - config_.smoothing) / static_cast<double>(scores.size());
-  for (double& score : scores) score = config_.smoothing * score / sum + even;
-  out.new_place = scores.back();
-  scores.pop_back();
-  out.places = std::move(scores);
-  return out;
+std::vector<double> Fabmap::log_odds(const Words& image, std::size_t count) const {
+  std::vector<double> scores = places_.log_likelihoods(image);
+  scores.resize(std::min(count, scores.size()));
+  if (scores.empty()) return scores;
+  const std::size_t places = scores.size();
+  const double each = std::log((1 - config_.new_place_prior) / static_cast<double>(places));
+  for (double& score : scores) score += each;
+  scores.push_back(log_mean_exp(samples_.log_likelihoods(image)) + std::log(config_.new_place_prior));
+  return odds_against_the_rest(scores, places);
 }
 
 }  // namespace sailmap::fabmap

@@ -47,7 +47,7 @@ std::size_t slot(int word, bool seen, bool parent_seen) {
 void check(const FabmapConfig& config) {
   const bool right = config.detect_present > 0 && config.detect_present < 1 && config.detect_absent >= 0 &&
                      config.detect_absent < config.detect_present && config.new_place_prior > 0 &&
-                     config.new_place_prior < 1 && config.smoothing >= 0 && config.smoothing <= 1;
+                     config.new_place_prior < 1;
   if (!right) throw Error("fabmap: a probability of the configuration is out of range");
 }
 

@@ -194,30 +194,53 @@ Vocabulary of_words(const std::vector<Words>& training, int words) {
   return {cv::Mat::zeros(words, 128, CV_32F), learn_tree(training, words), training};
 }
 
-TEST(Posterior, AddsUpToOneAndKnowsTheSameImage) {
+double probability(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
+
+// Against p(L_i | Z) by Bayes' rule from the naive likelihoods; the new place is the mean of the samples.
+TEST(LogOdds, AreThoseOfThePosterior) {
+  std::mt19937 random(seed());
+  const int words = 12;
+  const std::vector<Words> samples = random_images(20, words, random);
+  const Vocabulary vocabulary = of_words(samples, words);
+  const FabmapConfig config;
+  Fabmap fabmap(vocabulary, config);
+  const std::vector<Words> images = random_images(6, words, random);
+  for (const Words& image : images) fabmap.add(image);
+  for (const Words& query : random_images(10, words, random)) {
+    const std::size_t count = 1 + random() % images.size();
+    double total = 0;
+    for (const Words& sample : samples) {
+      total += config.new_place_prior / 20 * std::exp(naive(vocabulary.tree, config, sample, query));
+    }
+    std::vector<double> joint;
+    for (std::size_t i = 0; i < count; ++i) {
+      joint.push_back((1 - config.new_place_prior) / static_cast<double>(count) *
+                      std::exp(naive(vocabulary.tree, config, images[i], query)));
+      total += joint.back();
+    }
+    const std::vector<double> got = fabmap.log_odds(query, count);
+    ASSERT_EQ(got.size(), count);
+    for (std::size_t i = 0; i < count; ++i) EXPECT_NEAR(probability(got[i]), joint[i] / total, 1e-9);
+  }
+}
+
+TEST(LogOdds, TheSameImageIsMostLikely) {
   std::mt19937 random(seed());
   const int words = 60;
   Fabmap fabmap(of_words(random_images(100, words, random), words), {});
   const std::vector<Words> images = random_images(30, words, random);
   for (const Words& image : images) fabmap.add(image);
   for (std::size_t i = 0; i < images.size(); ++i) {
-    const auto posterior = fabmap.posterior(images[i], images.size());
-    double sum = posterior.new_place;
-    for (const double p : posterior.places) sum += p;
-    EXPECT_NEAR(sum, 1, 1e-9);
-    const auto best = std::ranges::max_element(posterior.places) - posterior.places.begin();
-    EXPECT_EQ(best, static_cast<std::ptrdiff_t>(i));
+    const std::vector<double> odds = fabmap.log_odds(images[i], images.size());
+    EXPECT_EQ(std::ranges::max_element(odds) - odds.begin(), static_cast<std::ptrdiff_t>(i));
   }
 }
 
-TEST(Posterior, LooksAtTheFirstPlacesAlone) {
+TEST(LogOdds, OfNoPlacesAreNone) {
   Fabmap fabmap(of_words(pairs, 3), {});
   fabmap.add({0, 1});
-  fabmap.add({2});
-  EXPECT_EQ(fabmap.posterior({2}, 0).new_place, 1);
-  EXPECT_EQ(fabmap.posterior({2}, 1).places.size(), 1U);
-  EXPECT_EQ(fabmap.posterior({2}, 2).places.size(), 2U);
-  EXPECT_GT(fabmap.posterior({2}, 2).places[1], fabmap.posterior({2}, 2).places[0]);
+  EXPECT_TRUE(fabmap.log_odds({2}, 0).empty());
+  EXPECT_EQ(fabmap.log_odds({2}, 5).size(), 1U);
 }
 
 cv::Mat scene(unsigned place) {
@@ -245,8 +268,8 @@ TEST(Training, MakesAVocabularyThatRecognises) {
   EXPECT_EQ(words_of(images[3], vocabulary), vocabulary.training[3]);
   Fabmap fabmap(vocabulary, {});
   for (unsigned place = 100; place < 106; ++place) fabmap.add(words_of(scene(place), vocabulary));
-  const auto posterior = fabmap.posterior(words_of(scene(102), vocabulary), 6);
-  EXPECT_EQ(std::ranges::max_element(posterior.places) - posterior.places.begin(), 2);
+  const std::vector<double> odds = fabmap.log_odds(words_of(scene(102), vocabulary), 6);
+  EXPECT_EQ(std::ranges::max_element(odds) - odds.begin(), 2);
   config.words = 100000;
   EXPECT_THAT([&] { train(images, config); }, ThrowsMessage<Error>(HasSubstr("too few for 100000 words")));
 }
