@@ -2,6 +2,8 @@
 
 #include "sailmap/hls/front_end.hpp"
 
+using namespace sailmap::hls;
+
 void sailmap_front_end(sailmap::hls::stream<sailmap_pixels>& red, sailmap::hls::stream<sailmap_pixels>& green,
                        sailmap::hls::stream<sailmap_pixels>& blue,
                        sailmap::hls::stream<uint32_t>& intensity_maps,
@@ -19,7 +21,17 @@ void sailmap_front_end(sailmap::hls::stream<sailmap_pixels>& red, sailmap::hls::
 #pragma HLS interface mode = axis port = conspicuity_maps
 #pragma HLS interface mode = axis port = saliency
 #pragma HLS interface mode = axis port = statistics
-  sailmap::hls::FrontEnd<sailmap::top::Config>::run(red, green, blue, intensity_maps, colour_maps,
-                                                    orientation_maps, conspicuity_maps, saliency, statistics,
-                                                    width, height);
+#pragma HLS dataflow
+  using Config = sailmap::top::Config;
+#if SAILMAP_BEAT == 1
+#include "sailmap/hls/region/1_to_base_1.inc"
+#elif SAILMAP_BEAT == 2
+#include "sailmap/hls/region/1_to_base_2.inc"
+#elif SAILMAP_BEAT == 4
+#include "sailmap/hls/region/1_to_base_4.inc"
+#else
+#include "sailmap/hls/region/1_to_base_8.inc"
+#endif
+#include "sailmap/hls/region/2_levels.inc"
+#include "sailmap/hls/region/3_store_once.inc"
 }

@@ -1,13 +1,14 @@
 // Drives the Verilog of one top, as Verilator compiles it, with the words of a file (the format is that of
-// scripts/vitis/testbench.hpp) and compares every word that comes out. C++17; no code of the kernels, and none of
-// Bambu's own test bench.
+// scripts/vitis/testbench.hpp) and compares every word that comes out. C++17; no code of the kernels, and
+// none of Bambu's own test bench.
 //
 //   bench VECTORS SEED           SEED 0: no stalls; any other: random stalls on every stream
 //
-// Checked: every word and the number of them in every call, that all input of a call was read and none of the next,
-// that a word stays as it is while it waits to be taken (AXI4-Stream), that calls follow each other at once, and that
-// something moves: `patience` cycles without a word are reported as a deadlock, with what each stream waits for.
-// Prints one line of JSON: cycles of each call and the faults. Exit code 0: all right, 1: faults, 2: wrong use.
+// Checked: every word and the number of them in every call, that all input of a call was read and none of the
+// next, that a word stays as it is while it waits to be taken (AXI4-Stream), that calls follow each other at
+// once, and that something moves: `patience` cycles without a word are reported as a deadlock, with what each
+// stream waits for. Prints one line of JSON: cycles of each call and the faults. Exit code 0: all right, 1:
+// faults, 2: wrong use.
 #pragma once
 
 #include <verilated.h>
@@ -147,8 +148,15 @@ class Bench {
   static constexpr std::uint64_t patience = 200000;
 
   Stream& add(const std::string& name, bool is_input, CData& valid, CData& ready) {
-    Stream stream{name, is_input, {}, {}, &valid, &ready,
-                  Stalls(seed_ == 0 ? 0 : seed_ * 1000 + static_cast<std::uint32_t>(streams_.size())), {}, {}};
+    Stream stream{name,
+                  is_input,
+                  {},
+                  {},
+                  &valid,
+                  &ready,
+                  Stalls(seed_ == 0 ? 0 : seed_ * 1000 + static_cast<std::uint32_t>(streams_.size())),
+                  {},
+                  {}};
     for (const Call& call : calls_) {
       const auto words = call.words.find(name);
       if (words == call.words.end()) stop("no words of " + name);
@@ -249,15 +257,15 @@ class Bench {
   void check_counts(std::size_t call) {
     for (const Stream& stream : streams_) {
       if (stream.done == stream.ends[call]) continue;
-      fault(stream, std::to_string(stream.done) + " words by the end of call " + std::to_string(call + 1) + ", not " +
-                        std::to_string(stream.ends[call]));
+      fault(stream, std::to_string(stream.done) + " words by the end of call " + std::to_string(call + 1) +
+                        ", not " + std::to_string(stream.ends[call]));
     }
   }
 
   void deadlock(std::size_t call) {
     for (const Stream& stream : streams_) {
-      fault(stream, "deadlock in call " + std::to_string(call + 1) + " at word " + std::to_string(stream.done) +
-                        " of " + std::to_string(stream.ends[call]));
+      fault(stream, "deadlock in call " + std::to_string(call + 1) + " at word " +
+                        std::to_string(stream.done) + " of " + std::to_string(stream.ends[call]));
     }
   }
 
@@ -269,7 +277,8 @@ class Bench {
     std::cout << "{\"cycles\": [";
     for (std::size_t i = 0; i < cycles_.size(); ++i) std::cout << (i == 0 ? "" : ", ") << cycles_[i];
     std::cout << "], \"faults\": [";
-    for (std::size_t i = 0; i < faults_.size(); ++i) std::cout << (i == 0 ? "" : ", ") << '"' << faults_[i] << '"';
+    for (std::size_t i = 0; i < faults_.size(); ++i)
+      std::cout << (i == 0 ? "" : ", ") << '"' << faults_[i] << '"';
     std::cout << "]}\n";
   }
 
