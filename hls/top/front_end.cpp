@@ -2,7 +2,11 @@
 
 #include "sailmap/hls/front_end.hpp"
 
+// The region stands in the top itself and its streams stand outside, rather than all of it in
+// FrontEnd::run(): Bambu finds a dataflow region in the top alone, and streams best at file scope.
 using namespace sailmap::hls;
+
+#include "front_end_region.inc"  // its streams
 
 void sailmap_front_end(sailmap::hls::stream<sailmap_pixels>& red, sailmap::hls::stream<sailmap_pixels>& green,
                        sailmap::hls::stream<sailmap_pixels>& blue,
@@ -23,15 +27,5 @@ void sailmap_front_end(sailmap::hls::stream<sailmap_pixels>& red, sailmap::hls::
 #pragma HLS interface mode = axis port = statistics
 #pragma HLS dataflow
   using Config = sailmap::top::Config;
-#if SAILMAP_BEAT == 1
-#include "sailmap/hls/region/1_to_base_1.inc"
-#elif SAILMAP_BEAT == 2
-#include "sailmap/hls/region/1_to_base_2.inc"
-#elif SAILMAP_BEAT == 4
-#include "sailmap/hls/region/1_to_base_4.inc"
-#else
-#include "sailmap/hls/region/1_to_base_8.inc"
-#endif
-#include "sailmap/hls/region/2_levels.inc"
-#include "sailmap/hls/region/3_store_once.inc"
+#include "front_end_region.inc"  // its stages
 }

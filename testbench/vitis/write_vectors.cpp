@@ -131,13 +131,8 @@ void channels(Call& call, const csim::Frame& frame, const Stages& stages) {
 }
 
 void reduce_lanes(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
-  call.words("intensity", neighbours<std::uint64_t, point::grey_sum>(stages.intensity[0]));
-  call.words("intensity_out", neighbours<std::uint32_t, point::intensity>(stages.intensity[1]));
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::string name = colour_names[i];
-    call.words(name, neighbours<std::uint64_t, point::colour>(stages.colours[i][0]));
-    call.words(name + "_out", neighbours<std::uint32_t, point::colour>(stages.colours[i][1]));
-  }
+  call.words("in", neighbours<std::uint64_t, point::colour>(stages.colours[0][0]));
+  call.words("out", neighbours<std::uint32_t, point::colour>(stages.colours[0][1]));
 }
 
 void reduce_pixels(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {

@@ -24,7 +24,7 @@ struct CoarseRow {
   static lanes_t<Count> words[Config::level_width(Level + 1)];
 };
 template <class Config, int Level, int Count, int Kind>
-lanes_t<Count> CoarseRow<Config, Level, Count, Kind>::words[Config::level_width(Level + 1)];
+SAILMAP_MEMORY lanes_t<Count> CoarseRow<Config, Level, Count, Kind>::words[Config::level_width(Level + 1)];
 
 // Lane by lane: a + b.
 inline void sum_lanes(const Lanes<1, uint32_t>& a, const Lanes<1, uint32_t>& b, Lanes<1, uint32_t>& out) {
@@ -72,8 +72,8 @@ void across_scales(stream<lanes_t<Count> >& coarse, stream<lanes_t<Count> >& fin
                    stream<lanes_t<Count> >& out, uint16_t width, uint16_t height) {
   static_assert(geometry::map_levels == 3, "one partial sum, then the feature");
   lanes_t<Count>* const memory = CoarseRow<Config, Level, Count, Kind>::words;
-  const int w = geometry::level_side(width, Level);
-  const int h = geometry::level_side(height, Level);
+  const int w = Config::columns(width, Level);
+  const int h = Config::rows(height, Level);
   const int coarse_w = geometry::half(w);
 #pragma nounroll
   for (int x = 0; x < coarse_w; ++x) {

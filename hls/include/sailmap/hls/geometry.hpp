@@ -40,6 +40,13 @@ constexpr int level_side(int n, int level) { return (n + (1 << level) - 1) >> le
 // Side of the base level, the size of all feature, conspicuity and saliency maps.
 constexpr int base_side(int n) { return level_side(n, base_level); }
 
+// The ones of the shortest binary number that n, up to 2^16 - 1, fits in.
+constexpr int ones(int n) {
+  int bits = 1;
+  while (bits < n) bits = 2 * bits + 1;
+  return bits;
+}
+
 constexpr bool valid_side(int n) { return n >= min_image_side && n <= max_image_side; }
 
 }  // namespace geometry

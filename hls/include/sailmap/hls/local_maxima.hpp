@@ -21,9 +21,9 @@ struct MaximaRows {
   static lanes_t<Count> older[Config::level_width(geometry::base_level)];
 };
 template <class Config, int Count, int Kind>
-lanes_t<Count> MaximaRows<Config, Count, Kind>::newer[Config::level_width(geometry::base_level)];
+SAILMAP_MEMORY lanes_t<Count> MaximaRows<Config, Count, Kind>::newer[Config::level_width(geometry::base_level)];
 template <class Config, int Count, int Kind>
-lanes_t<Count> MaximaRows<Config, Count, Kind>::older[Config::level_width(geometry::base_level)];
+SAILMAP_MEMORY lanes_t<Count> MaximaRows<Config, Count, Kind>::older[Config::level_width(geometry::base_level)];
 
 // Three rows of one column, packed, and which of them lie inside the image.
 template <class Word>
