@@ -2,6 +2,12 @@
 
 #include "sailmap/hls/front_end.hpp"
 
+// The region stands in the top itself and its streams stand outside, rather than all of it in
+// FrontEnd::run(): Bambu finds a dataflow region in the top alone, and streams best at file scope.
+using namespace sailmap::hls;
+
+#include "front_end_region.inc"  // its streams
+
 void sailmap_front_end(sailmap::hls::stream<sailmap_pixels>& red, sailmap::hls::stream<sailmap_pixels>& green,
                        sailmap::hls::stream<sailmap_pixels>& blue,
                        sailmap::hls::stream<uint32_t>& intensity_maps,
@@ -19,7 +25,7 @@ void sailmap_front_end(sailmap::hls::stream<sailmap_pixels>& red, sailmap::hls::
 #pragma HLS interface mode = axis port = conspicuity_maps
 #pragma HLS interface mode = axis port = saliency
 #pragma HLS interface mode = axis port = statistics
-  sailmap::hls::FrontEnd<sailmap::top::Config>::run(red, green, blue, intensity_maps, colour_maps,
-                                                    orientation_maps, conspicuity_maps, saliency, statistics,
-                                                    width, height);
+#pragma HLS dataflow
+  using Config = sailmap::top::Config;
+#include "front_end_region.inc"  // its stages
 }

@@ -12,12 +12,7 @@ void sailmap_channels(sailmap::hls::stream<uint32_t>& red, sailmap::hls::stream<
                       sailmap::hls::stream<uint64_t>& green_out, sailmap::hls::stream<uint64_t>& blue_out,
                       sailmap::hls::stream<uint64_t>& red_out, sailmap::hls::stream<uint64_t>& yellow_out,
                       uint16_t width, uint16_t height);
-void sailmap_reduce_lanes(sailmap::hls::stream<uint64_t>& intensity, sailmap::hls::stream<uint64_t>& green,
-                          sailmap::hls::stream<uint64_t>& blue, sailmap::hls::stream<uint64_t>& red,
-                          sailmap::hls::stream<uint64_t>& yellow,
-                          sailmap::hls::stream<uint32_t>& intensity_out,
-                          sailmap::hls::stream<uint32_t>& green_out, sailmap::hls::stream<uint32_t>& blue_out,
-                          sailmap::hls::stream<uint32_t>& red_out, sailmap::hls::stream<uint32_t>& yellow_out,
+void sailmap_reduce_lanes(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint32_t>& out,
                           uint16_t width, uint16_t height);
 void sailmap_reduce_pixels(sailmap::hls::stream<uint16_t>& intensity, sailmap::hls::stream<uint64_t>& colours,
                            sailmap::hls::stream<uint16_t>& intensity_out,

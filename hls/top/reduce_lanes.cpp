@@ -7,23 +7,9 @@ namespace {
 using Config4 = sailmap::hls::Config<SAILMAP_MAX_WIDTH, SAILMAP_MAX_HEIGHT, 4>;
 }  // namespace
 
-void sailmap_reduce_lanes(sailmap::hls::stream<uint64_t>& intensity, sailmap::hls::stream<uint64_t>& green,
-                          sailmap::hls::stream<uint64_t>& blue, sailmap::hls::stream<uint64_t>& red,
-                          sailmap::hls::stream<uint64_t>& yellow,
-                          sailmap::hls::stream<uint32_t>& intensity_out,
-                          sailmap::hls::stream<uint32_t>& green_out, sailmap::hls::stream<uint32_t>& blue_out,
-                          sailmap::hls::stream<uint32_t>& red_out, sailmap::hls::stream<uint32_t>& yellow_out,
+void sailmap_reduce_lanes(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint32_t>& out,
                           uint16_t width, uint16_t height) {
-#pragma HLS interface mode = axis port = intensity
-#pragma HLS interface mode = axis port = green
-#pragma HLS interface mode = axis port = blue
-#pragma HLS interface mode = axis port = red
-#pragma HLS interface mode = axis port = yellow
-#pragma HLS interface mode = axis port = intensity_out
-#pragma HLS interface mode = axis port = green_out
-#pragma HLS interface mode = axis port = blue_out
-#pragma HLS interface mode = axis port = red_out
-#pragma HLS interface mode = axis port = yellow_out
-  sailmap::hls::reduce_lanes<Config4, 0, 4>(intensity, green, blue, red, yellow, intensity_out, green_out,
-                                            blue_out, red_out, yellow_out, width, height);
+#pragma HLS interface mode = axis port = in
+#pragma HLS interface mode = axis port = out
+  sailmap::hls::reduce_lanes<Config4, 0, 4, 1>(in, out, width, height);
 }

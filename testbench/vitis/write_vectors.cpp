@@ -1,6 +1,6 @@
 // Writes the words of one synthesis top's test bench (scripts/vitis/testbench.hpp has the format), in and
-// out, from the quantised reference: write_vectors TOP BEAT FILE. Three frames of different size; no kernel
-// code takes part.
+// out, from the quantised reference: write_vectors TOP BEAT FILE [IMAGE.ppm...]. Three frames of different
+// size, or those images; no kernel code takes part.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -17,6 +17,7 @@
 
 #include "csim/expected.hpp"
 #include "csim/frames.hpp"
+#include "ppm.hpp"
 
 namespace sailmap::testing {
 namespace {
@@ -140,13 +141,8 @@ void channels(Call& call, const csim::Frame& frame, const Stages& stages) {
 }
 
 void reduce_lanes(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
-  call.words("intensity", neighbours<std::uint64_t, point::grey_sum>(stages.intensity[0]));
-  call.words("intensity_out", neighbours<std::uint32_t, point::intensity>(stages.intensity[1]));
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::string name = colour_names[i];
-    call.words(name, neighbours<std::uint64_t, point::colour>(stages.colours[i][0]));
-    call.words(name + "_out", neighbours<std::uint32_t, point::colour>(stages.colours[i][1]));
-  }
+  call.words("in", neighbours<std::uint64_t, point::colour>(stages.colours[0][0]));
+  call.words("out", neighbours<std::uint32_t, point::colour>(stages.colours[0][1]));
 }
 
 void reduce_pixels(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
@@ -329,14 +325,17 @@ const std::map<std::string, StageWriter> stage_writers = {{"sailmap_channels", c
                                                           {"sailmap_gains", gains},
                                                           {"sailmap_normalise", normalise}};
 
-void write(const std::string& top, std::size_t beat, const std::string& path) {
+std::vector<csim::Frame> three_frames() {
+  std::mt19937 random(20);
+  return {patches_frame(72, 64, random), noise_frame(64, 70, random), constant_frame(64, 64, 200, 30, 90)};
+}
+
+void write(const std::string& top, std::size_t beat, const std::string& path,
+           const std::vector<csim::Frame>& frames) {
   const auto writer = stage_writers.find(top);
   const bool whole = top == "sailmap_front_end" || top == "sailmap_axi";
   if (writer == stage_writers.end() && !whole) throw std::runtime_error("unknown top " + top);
   if (beat != 1 && beat != 2 && beat != 4 && beat != 8) throw std::runtime_error("a beat is 1, 2, 4 or 8");
-  std::mt19937 random(20);
-  const std::vector<csim::Frame> frames = {patches_frame(72, 64, random), noise_frame(64, 70, random),
-                                           constant_frame(64, 64, 200, 30, 90)};
   std::ofstream file(path);
   std::uint32_t count = 0;
   for (const csim::Frame& frame : frames) {
@@ -360,8 +359,11 @@ void write(const std::string& top, std::size_t beat, const std::string& path) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 4) throw std::runtime_error("usage: write_vectors TOP BEAT FILE");
-    sailmap::testing::write(argv[1], std::stoul(argv[2]), argv[3]);
+    if (argc < 4) throw std::runtime_error("usage: write_vectors TOP BEAT FILE [IMAGE.ppm...]");
+    std::vector<sailmap::csim::Frame> frames;
+    for (int i = 4; i < argc; ++i) frames.push_back(sailmap::testing::read_ppm(argv[i]));
+    if (frames.empty()) frames = sailmap::testing::three_frames();
+    sailmap::testing::write(argv[1], std::stoul(argv[2]), argv[3], frames);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "write_vectors: " << error.what() << '\n';

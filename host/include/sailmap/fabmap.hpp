@@ -95,8 +95,8 @@ class Fabmap {
   void add(const Words& words) { places_.add(words); }
   [[nodiscard]] std::size_t size() const { return places_.size(); }
 
-  // Of the first `count` places, at most size(): log(p / (1 - p)), p = p(L_i | Z). Probabilities near 1 differ
-  // by less than a double can tell; their log-odds do not.
+  // Of the first `count` places, at most size(): log(p / (1 - p)), p = p(L_i | Z). Probabilities near 1
+  // differ by less than a double can tell; their log-odds do not.
   [[nodiscard]] std::vector<double> log_odds(const Words& image, std::size_t count) const;
 
  private:

@@ -1,12 +1,12 @@
-// The README's use of the library, on a robot that walks past four coloured walls and comes back to the first.
+// The README's use of the library, on a robot that walks past four coloured walls and comes back to the
+// first.
 #include <cstdint>
 #include <iostream>
 #include <random>
-#include <string>
-#include <vector>
-
 #include <sailmap/frontend.hpp>
 #include <sailmap/topological_map.hpp>
+#include <string>
+#include <vector>
 
 namespace {
 

@@ -24,7 +24,7 @@ struct CoarseRow {
   static uint64_t words[Config::level_width(Level + 1)];
 };
 template <class Config, int Level, int Pair>
-uint64_t CoarseRow<Config, Level, Pair>::words[Config::level_width(Level + 1)];
+SAILMAP_MEMORY uint64_t CoarseRow<Config, Level, Pair>::words[Config::level_width(Level + 1)];
 
 // The upper and the lower row of one coarse column, summed, of both maps.
 struct CoarseColumn {
@@ -55,8 +55,8 @@ void across_scales(stream<uint64_t>& coarse, stream<uint64_t>& fine, stream<uint
                    uint16_t height) {
   static_assert(geometry::map_levels == 3, "one partial sum, then the sum of all");
   uint64_t* const memory = CoarseRow<Config, Level, Pair>::words;
-  const int w = geometry::level_side(width, Level);
-  const int h = geometry::level_side(height, Level);
+  const int w = Config::columns(width, Level);
+  const int h = Config::rows(height, Level);
   const int coarse_w = geometry::half(w);
 #pragma nounroll
   for (int x = 0; x < coarse_w; ++x) {

@@ -3,7 +3,7 @@
 // Streams, level `Level`, one pixel a word, raster order. In: intensity; green, blue, red, yellow as lanes.
 // Out: intensity on and off as lanes; the four colours' on as lanes. Formats: intensity, colour in;
 // intensity_contrast, colour_contrast out. Latency: 7 rows and 7 columns. II 1. Rows stand alone: a row takes
-// 7 words of flushing. Maximum error against the exact contrast of the exact level:
+// 14 words of filling and 7 of flushing. Maximum error against the exact contrast of the exact level:
 // accuracy::contrast_error; of the same samples: half a unit of the
 // output.
 //
@@ -40,7 +40,7 @@ struct RowMemory {
   static Word words[Rows * Stage::columns];
 };
 template <class Stage, int Segment, class Word, int Rows>
-Word RowMemory<Stage, Segment, Word, Rows>::words[Rows * Stage::columns];
+SAILMAP_MEMORY Word RowMemory<Stage, Segment, Word, Rows>::words[Rows * Stage::columns];
 
 // Sums of the columns of one channel: over 15 rows low, over 7 rows high.
 template <class Stage, int Channel>
@@ -48,7 +48,7 @@ struct BoxColumns {
   static uint64_t sums[Stage::columns];
 };
 template <class Stage, int Channel>
-uint64_t BoxColumns<Stage, Channel>::sums[Stage::columns];
+SAILMAP_MEMORY uint64_t BoxColumns<Stage, Channel>::sums[Stage::columns];
 
 // Where each row memory is; the offsets are those of a slot's first word.
 struct RowSlots {
@@ -93,7 +93,8 @@ inline ColumnTaps<Word> column_taps(Word read, bool beyond, int x, const RowSlot
   Word* const third = RowMemory<Stage, 3, Word, to_end>::words;
   Word* const fourth = RowMemory<Stage, 4, Word, to_small>::words;
   ColumnTaps<Word> taps = ColumnTaps<Word>();
-  taps.newest = beyond ? first[slots.first_before + x] : read;
+  const Word again = first[slots.first_before + x];
+  taps.newest = beyond ? again : read;
   const Word a = first[(slots.row < to_small ? 0 : slots.first) + x];
   taps.small_in = slots.row == 0 ? taps.newest : a;
   first[slots.first + x] = taps.newest;
@@ -115,16 +116,22 @@ struct BoxColumn {
   uint16_t centre;
 };
 
+// The first row stands for all above it. Selections of values already there rather than cases, so that loads
+// need not wait for them.
 template <class Stage, int Channel>
 inline BoxColumn box_column(int x, bool first_row, uint16_t newest, uint16_t small_in, uint16_t centre,
                             uint16_t small_out, uint16_t large_out) {
   uint64_t* const sums = BoxColumns<Stage, Channel>::sums;
-  const uint64_t before = sums[x];
+  const uint64_t stored = sums[x];
+  const uint64_t before = first_row ? 0 : stored;
+  const uint32_t large_enters = first_row ? 16U * newest : newest + 0U;
+  const uint32_t large_leaves = first_row ? newest : large_out;
+  const uint32_t small_enters = first_row ? 8U * newest : small_in + 0U;
+  const uint32_t small_leaves = first_row ? newest : small_out;
+  static_assert(large_side == 15 && small_side == 7, "the first row weighs 16 - 1 and 8 - 1");
   BoxColumn out = {0, 0, centre};
-  out.large = first_row ? static_cast<uint32_t>(large_side) * newest
-                        : static_cast<uint32_t>(before) + newest - large_out;
-  out.small = first_row ? static_cast<uint32_t>(small_side) * newest
-                        : static_cast<uint32_t>(before >> 32) + small_in - small_out;
+  out.large = static_cast<uint32_t>(before) + large_enters - large_leaves;
+  out.small = static_cast<uint32_t>(before >> 32) + small_enters - small_leaves;
   sums[x] = static_cast<uint64_t>(out.small) << 32 | out.large;
   return out;
 }
@@ -137,6 +144,8 @@ inline BoxColumn box_lane(int x, bool first_row, const ColumnTaps<Word>& taps) {
 }
 
 // The window sums of one channel as they run along a row. The newest column is 7 to the right of the centre.
+// A sum is always that of the columns in its register, so nothing is set at the start of a row: the row's
+// first column goes in until there is nothing else.
 struct BoxWindow {
   uint32_t large, small;
   uint16_t centre;
@@ -145,28 +154,11 @@ struct BoxWindow {
   ShiftRegister<small_side, uint32_t> small_columns;
   ShiftRegister<geometry::surround_radius_large, uint16_t> centres;
 
-  // The first column of a row stands for all to its left as well.
-  void start(const BoxColumn& column) {
-    large = static_cast<uint32_t>(large_side) * column.large;
-    small = static_cast<uint32_t>(small_side) * column.small;
-    centre = column.centre;
-    large_columns.fill(column.large);
-    until_small.fill(column.small);
-    small_columns.fill(column.small);
-    centres.fill(column.centre);
-  }
-  void advance(const BoxColumn& column) {
+  void next(const BoxColumn& column) {
     large += column.large - large_columns.push(column.large);
     const uint32_t enters = until_small.push(column.small);
     small += enters - small_columns.push(enters);
     centre = centres.push(column.centre);
-  }
-  void next(bool first, const BoxColumn& column) {
-    if (first) {
-      start(column);
-    } else {
-      advance(column);
-    }
   }
   uint32_t on() const {
     return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), 1);
@@ -182,26 +174,28 @@ void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, str
                      uint16_t height) {
   using Stage = CentreSurround<Config, Level>;
   constexpr int radius = geometry::surround_radius_large;
-  const int w = geometry::level_side(width, Level);
-  const int h = geometry::level_side(height, Level);
+  constexpr int filling = large_side - 1;  // the first column once more, so often
+  const int w = Config::columns(width, Level);
+  const int h = Config::rows(height, Level);
   RowSlots slots = RowSlots();
   slots.start(w);
+  BoxColumn c0 = {0, 0, 0};
+  BoxColumn c1 = c0;
+  BoxColumn c2 = c0;
+  BoxColumn c3 = c0;
+  BoxColumn c4 = c0;
+  BoxWindow w0 = BoxWindow();
+  BoxWindow w1 = w0;
+  BoxWindow w2 = w0;
+  BoxWindow w3 = w0;
+  BoxWindow w4 = w0;
 #pragma nounroll
   for (int y = 0; y < h + radius; ++y) {
-    BoxColumn c0 = {0, 0, 0};
-    BoxColumn c1 = c0;
-    BoxColumn c2 = c0;
-    BoxColumn c3 = c0;
-    BoxColumn c4 = c0;
-    BoxWindow w0 = BoxWindow();
-    BoxWindow w1 = w0;
-    BoxWindow w2 = w0;
-    BoxWindow w3 = w0;
-    BoxWindow w4 = w0;
+    int x = 0;
 #pragma nounroll
-    for (int x = 0; x < w + radius; ++x) {
+    for (int i = 0; i < filling + w + radius; ++i) {
       SAILMAP_PIPELINE
-      if (x < w) {
+      if (i == 0 || (i > filling && i < filling + w)) {
         uint16_t grey = 0;
         uint64_t colour = 0;
         if (y < h) {
@@ -215,13 +209,14 @@ void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, str
         c2 = box_lane<Stage, 2, 1>(x, y == 0, c);
         c3 = box_lane<Stage, 3, 2>(x, y == 0, c);
         c4 = box_lane<Stage, 4, 3>(x, y == 0, c);
+        ++x;
       }
-      w0.next(x == 0, c0);
-      w1.next(x == 0, c1);
-      w2.next(x == 0, c2);
-      w3.next(x == 0, c3);
-      w4.next(x == 0, c4);
-      if (y >= radius && x >= radius) {
+      w0.next(c0);
+      w1.next(c1);
+      w2.next(c2);
+      w3.next(c3);
+      w4.next(c4);
+      if (y >= radius && i >= filling + radius) {
         on_off.write(wide_pair(w0.on(), w0.off()));
         green_blue.write(wide_pair(w1.on(), w2.on()));
         red_yellow.write(wide_pair(w3.on(), w4.on()));

@@ -27,6 +27,15 @@ struct Config {
   static constexpr int level_height(int level) { return geometry::level_side(MaxHeight, level); }
   static constexpr int level_pixels(int level) { return level_width(level) * level_height(level); }
 
+  // Columns and rows of level `level` of a frame of this width or height. Of a frame that it takes they lose
+  // nothing by the mask, which tells a tool how few bits its counters need.
+  static constexpr int columns(int width, int level) {
+    return geometry::level_side(width, level) & geometry::ones(level_width(level));
+  }
+  static constexpr int rows(int height, int level) {
+    return geometry::level_side(height, level) & geometry::ones(level_height(level));
+  }
+
   // Whether the front end takes a frame of this size.
   static constexpr bool takes(int width, int height) {
     return geometry::valid_side(width) && geometry::valid_side(height) && width <= MaxWidth &&

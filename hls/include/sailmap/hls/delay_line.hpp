@@ -22,15 +22,15 @@ struct DelayMemory {
   static Word words[Capacity];
 };
 template <int Level, class Delay, class Word, int Capacity>
-Word DelayMemory<Level, Delay, Word, Capacity>::words[Capacity];
+SAILMAP_MEMORY Word DelayMemory<Level, Delay, Word, Capacity>::words[Capacity];
 
 // `width` and `height` are of level 0, as everywhere.
 template <class Config, int Level, class Delay, class Word>
 void delay_line(stream<Word>& in, stream<Word>& out, uint16_t width, uint16_t height) {
   // One row more than are delayed: the oldest is still being written out while the newest comes in.
   using Memory = DelayMemory<Level, Delay, Word, (Delay::rows + 1) * Config::level_width(Level)>;
-  const int w = geometry::level_side(width, Level);
-  const int h = geometry::level_side(height, Level);
+  const int w = Config::columns(width, Level);
+  const int h = Config::rows(height, Level);
   int newest = 0;
 #pragma nounroll
   for (int y = 0; y < h + Delay::rows; ++y) {
@@ -50,7 +50,7 @@ template <class Config, int Level>
 void fork_level(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<uint16_t>& intensity_a,
                 stream<uint64_t>& colours_a, stream<uint16_t>& intensity_b, stream<uint64_t>& colours_b,
                 uint16_t width, uint16_t height) {
-  const int pixels = geometry::level_side(width, Level) * geometry::level_side(height, Level);
+  const int pixels = Config::columns(width, Level) * Config::rows(height, Level);
 #pragma nounroll
   for (int i = 0; i < pixels; ++i) {
     SAILMAP_PIPELINE
@@ -67,7 +67,7 @@ void fork_level(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<u
 template <class Config, int Level>
 void fork_intensity(stream<uint16_t>& in, stream<uint16_t>& a, stream<uint16_t>& b, uint16_t width,
                     uint16_t height) {
-  const int pixels = geometry::level_side(width, Level) * geometry::level_side(height, Level);
+  const int pixels = Config::columns(width, Level) * Config::rows(height, Level);
 #pragma nounroll
   for (int i = 0; i < pixels; ++i) {
     SAILMAP_PIPELINE

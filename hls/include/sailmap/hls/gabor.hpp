@@ -65,9 +65,9 @@ struct GaborRows {
   static uint64_t older[Config::level_width(Level)];
 };
 template <class Config, int Level>
-uint64_t GaborRows<Config, Level>::newer[Config::level_width(Level)];
+SAILMAP_MEMORY uint64_t GaborRows<Config, Level>::newer[Config::level_width(Level)];
 template <class Config, int Level>
-uint64_t GaborRows<Config, Level>::older[Config::level_width(Level)];
+SAILMAP_MEMORY uint64_t GaborRows<Config, Level>::older[Config::level_width(Level)];
 
 // The vertical sums of one column: filters E, O, C, S and G.
 struct GaborColumn {
@@ -155,8 +155,8 @@ template <class Config, int Level>
 void orientation_energy(stream<uint16_t>& intensity, stream<uint64_t>& ori_0_45, stream<uint64_t>& ori_90_135,
                         uint16_t width, uint16_t height) {
   constexpr int radius = geometry::gabor_radius;
-  const int w = geometry::level_side(width, Level);
-  const int h = geometry::level_side(height, Level);
+  const int w = Config::columns(width, Level);
+  const int h = Config::rows(height, Level);
 #pragma nounroll
   for (int y = 0; y < h + radius; ++y) {
     GaborColumn column = {0, 0, 0, 0, 0};

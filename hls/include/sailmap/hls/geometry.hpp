@@ -33,11 +33,19 @@ constexpr int conspicuity_maps = 3;
 // ceil(n / 2): the even samples of n, which one reduction keeps (spec 3).
 constexpr int half(int n) { return (n + 1) / 2; }
 
-// Side of pyramid level `level` of an image whose side is n: ceil(n / 2^level).
-constexpr int level_side(int n, int level) { return level == 0 ? n : level_side(half(n), level - 1); }
+// Side of pyramid level `level` of an image whose side is n: ceil(n / 2^level), which is half() `level`
+// times. In closed form, for Bambu: its front end never ends on a recursive function (docs/fpga.md).
+constexpr int level_side(int n, int level) { return (n + (1 << level) - 1) >> level; }
 
 // Side of the base level, the size of all feature, conspicuity and saliency maps.
 constexpr int base_side(int n) { return level_side(n, base_level); }
+
+// The ones of the shortest binary number that n, up to 2^16 - 1, fits in.
+constexpr int ones(int n) {
+  int bits = 1;
+  while (bits < n) bits = 2 * bits + 1;
+  return bits;
+}
 
 constexpr bool valid_side(int n) { return n >= min_image_side && n <= max_image_side; }
 

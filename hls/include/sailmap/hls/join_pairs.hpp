@@ -1,7 +1,8 @@
 // Two pairs of stored maps and their flags (local_maxima.hpp) as the four lanes that a store keeps.
 //
 // Streams, base level, raster order. In: lanes 0 and 1, lanes 2 and 3, and their flags. Out: four lanes and
-// their flags, bit l for lane l. Latency 0. II 1. Exact. `Kind` tells the instances apart.
+// their flags, bit l for lane l. Latency 0. II 1. Exact. `Kind` tells the instances apart (see
+// normalise.hpp).
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"
@@ -19,7 +20,7 @@ void join_pairs(stream<uint32_t>& low, stream<uint8_t>& low_flags, stream<uint32
                 uint16_t height) {
   const int pixels = geometry::base_side(width) * geometry::base_side(height);
 #pragma nounroll
-  for (int i = 0; i < pixels; ++i) {
+  for (int i = Kind; i < pixels + Kind; ++i) {
     SAILMAP_PIPELINE
     const uint32_t low_word = low.read();
     const uint32_t high_word = high.read();

@@ -24,9 +24,9 @@ struct MaximaRows {
   static uint64_t older[Config::level_width(geometry::base_level)];
 };
 template <class Config, int Pair>
-uint64_t MaximaRows<Config, Pair>::newer[Config::level_width(geometry::base_level)];
+SAILMAP_MEMORY uint64_t MaximaRows<Config, Pair>::newer[Config::level_width(geometry::base_level)];
 template <class Config, int Pair>
-uint64_t MaximaRows<Config, Pair>::older[Config::level_width(geometry::base_level)];
+SAILMAP_MEMORY uint64_t MaximaRows<Config, Pair>::older[Config::level_width(geometry::base_level)];
 
 // Three rows of one column, a pair each, and which of them lie inside the image.
 struct MaximaColumn {

@@ -6,7 +6,8 @@
 // in; the maps unchanged, and the sum of the normalised lanes out. Base level, raster order. Formats:
 // normalised and its exact sum (intensity_conspicuity_sum and so on), or normalised_conspicuity and saliency;
 // one multiplication a pixel and lane.
-// Latency 0. II 1. `Kind` tells the instances apart. Maximum errors against the exact maps:
+// Latency 0. II 1. `Kind` tells the instances apart: their loops count from it, since Bambu makes one of two
+// functions with the same body and then misses the other. Maximum errors against the exact maps:
 // accuracy::conspicuity_share and accuracy::saliency_share of the largest value.
 #pragma once
 
@@ -23,7 +24,7 @@ namespace hls {
 template <class Config, int Count, int Kind>
 void gains(stream<uint32_t>& statistics, stream<uint32_t>& statistics_out, stream<uint32_t>& gains_out) {
 #pragma nounroll
-  for (int i = 0; i < Count; ++i) {
+  for (int i = Kind; i < Count + Kind; ++i) {
     const uint32_t maximum = statistics.read();
     const uint32_t maxima = statistics.read();
     statistics_out.write(maximum);
@@ -78,7 +79,7 @@ void normalise(stream<uint32_t>& gains_in, stream<lanes_t<Count> >& maps, stream
   LaneGains<Count> lanes = LaneGains<Count>();
   lanes.read(gains_in);
 #pragma nounroll
-  for (int i = 0; i < pixels; ++i) {
+  for (int i = Kind; i < pixels + Kind; ++i) {
     SAILMAP_PIPELINE
     const lanes_t<Count> word = maps.read();
     const uint32_t sum = lanes.sum(word);

@@ -12,3 +12,11 @@
 #define SAILMAP_PIPELINE_II(cycles)
 #define SAILMAP_INLINE
 #endif
+
+// On the definition of a static memory: its first contents do not matter. Bambu's front end otherwise writes
+// every word of it out, which takes it minutes for a frame store.
+#ifdef __BAMBU__
+#define SAILMAP_MEMORY __attribute__((loader_uninitialized))
+#else
+#define SAILMAP_MEMORY
+#endif

@@ -43,13 +43,18 @@ inline RowKind row_kind(int row, int height) {
 
 // The sums after one more row, whose horizontal sum is `row`. The first row stands for the two above it as
 // well, the last for the two below: 1+4+6 = 11 of an output that it is the middle of, 4+1 more of one that
-// it is below.
+// it is below. Selections of shifts and adds, which no tool makes multipliers or branches of.
 inline uint64_t add_row(uint64_t sums, uint32_t row, RowKind kind) {
   const uint32_t open = open_sum(sums);
   const uint32_t next = next_sum(sums);
-  if (kind.first) return pack_sums(11 * row, row);
-  if (!kind.even) return pack_sums(open + (kind.last ? 5 : 4) * row, next + 4 * row);
-  return pack_sums(next + (kind.last ? 11 : 6) * row, row);
+  const uint32_t four = 4 * row;
+  const uint32_t older = kind.even ? next : open;
+  const uint32_t before = kind.first ? 0 : older;
+  const uint32_t own = four + (kind.even ? 2 * row : 0);
+  const uint32_t edge = row + (kind.even ? four : 0);
+  const uint32_t beyond = kind.first || kind.last ? edge : 0;
+  const uint32_t younger = kind.even ? 0 : next + 3 * row;
+  return pack_sums(before + own + beyond, younger + row);
 }
 
 // The complete sum that a row with emits() yields, from the sums before it.
@@ -71,7 +76,7 @@ struct ColumnSums {
   static uint64_t sums[Stage::columns];
 };
 template <class Stage, int Channel, int Lane>
-uint64_t ColumnSums<Stage, Channel, Lane>::sums[Stage::columns];
+SAILMAP_MEMORY uint64_t ColumnSums<Stage, Channel, Lane>::sums[Stage::columns];
 
 // Adds `row` to column x; returns the sample that it completes (to be used when the row emits).
 template <class Stage, int Channel, int Lane>

@@ -1,9 +1,9 @@
 // One level of the pyramid (spec 3), several pixels a word; the width of level `Fine` is a multiple of them.
 //
-// Streams in: five (intensity, green, blue, red, yellow) of words of Count = 2 or 4 pixels of that channel,
-// or, for Count = 8, ten: the left and the right four pixels of each beat. Out: five streams of words of
-// Count / 2 pixels. Formats: grey_sum (level 0) or intensity, colour. Latency: 2 rows and 1 word. II 1.
-// Error: see pyramid.hpp.
+// One stage a channel: 0 is the intensity, 1 to 4 are green, blue, red and yellow. Stream in: words of Count
+// = 2 or 4 pixels, or, for Count = 8, two streams: the left and the right four pixels of each beat. Out:
+// words of Count / 2 pixels. Formats: grey_sum (level 0) or intensity, colour. Latency: 2 rows and 1 word.
+// II 1. Error: see pyramid.hpp.
 //
 // The rows of a frame run on into each other: a word's sums wait for the next word, at the end of a row for
 // the first of the next row, so that no cycle is lost between rows.
@@ -115,95 +115,31 @@ struct BeatPosition {
   }
 };
 
-template <int Count>
-struct FiveWindows {
-  BeatWindow<Count> intensity, green, blue, red, yellow;
-
-  void advance(bool first) {
-    intensity.advance(first);
-    green.advance(first);
-    blue.advance(first);
-    red.advance(first);
-    yellow.advance(first);
-  }
-};
-
-// Five words, one of each channel.
-template <class Word>
-struct FiveWords {
-  Word intensity, green, blue, red, yellow;
-};
-
-template <class Stage, int Count>
-inline FiveWords<lanes_t<Count / 2> > add_beats(BeatPosition at, int beats, int h,
-                                                const FiveWindows<Count>& windows) {
-  const RowKind kind = row_kind(at.y, h);
-  const bool last = at.x + 1 == beats;
-  FiveWords<lanes_t<Count / 2> > out = {0, 0, 0, 0, 0};
-  out.intensity = add_beat<Stage, 0, Count>(at.x, windows.intensity, last, kind);
-  out.green = add_beat<Stage, 1, Count>(at.x, windows.green, last, kind);
-  out.blue = add_beat<Stage, 2, Count>(at.x, windows.blue, last, kind);
-  out.red = add_beat<Stage, 3, Count>(at.x, windows.red, last, kind);
-  out.yellow = add_beat<Stage, 4, Count>(at.x, windows.yellow, last, kind);
-  return out;
-}
-
-// The last row.
-template <class Stage, int Count>
-inline void flush_beats(int beats, stream<lanes_t<Count / 2> >& intensity, stream<lanes_t<Count / 2> >& green,
-                        stream<lanes_t<Count / 2> >& blue, stream<lanes_t<Count / 2> >& red,
-                        stream<lanes_t<Count / 2> >& yellow) {
-#pragma nounroll
-  for (int x = 0; x < beats; ++x) {
-    SAILMAP_PIPELINE
-    intensity.write(last_beat<Stage, 0, Count>(x));
-    green.write(last_beat<Stage, 1, Count>(x));
-    blue.write(last_beat<Stage, 2, Count>(x));
-    red.write(last_beat<Stage, 3, Count>(x));
-    yellow.write(last_beat<Stage, 4, Count>(x));
-  }
-}
-
-template <class Config, int Fine, int Count>
-void reduce_lanes(stream<lanes_t<Count> >& intensity, stream<lanes_t<Count> >& green,
-                  stream<lanes_t<Count> >& blue, stream<lanes_t<Count> >& red,
-                  stream<lanes_t<Count> >& yellow, stream<lanes_t<Count / 2> >& intensity_out,
-                  stream<lanes_t<Count / 2> >& green_out, stream<lanes_t<Count / 2> >& blue_out,
-                  stream<lanes_t<Count / 2> >& red_out, stream<lanes_t<Count / 2> >& yellow_out,
-                  uint16_t width, uint16_t height) {
+template <class Config, int Fine, int Count, int Channel>
+void reduce_lanes(stream<lanes_t<Count> >& in, stream<lanes_t<Count / 2> >& out, uint16_t width,
+                  uint16_t height) {
   using Stage = ReduceLanes<Config, Fine, Count>;
-  const int h = geometry::level_side(height, Fine);
-  const int beats = geometry::level_side(width, Fine) / Count;
+  const int h = Config::rows(height, Fine);
+  const int beats = Config::columns(width, Fine) / Count;
   const int words = beats * h;
-  FiveWindows<Count> windows = FiveWindows<Count>();
-  unpack(intensity.read(), windows.intensity.next);
-  unpack(green.read(), windows.green.next);
-  unpack(blue.read(), windows.blue.next);
-  unpack(red.read(), windows.red.next);
-  unpack(yellow.read(), windows.yellow.next);
+  BeatWindow<Count> window = BeatWindow<Count>();
+  unpack(in.read(), window.next);
   BeatPosition at = {0, 0};
 #pragma nounroll
   for (int i = 1; i <= words; ++i) {
     SAILMAP_PIPELINE
-    windows.advance(at.x == 0);
-    if (i < words) {
-      unpack(intensity.read(), windows.intensity.next);
-      unpack(green.read(), windows.green.next);
-      unpack(blue.read(), windows.blue.next);
-      unpack(red.read(), windows.red.next);
-      unpack(yellow.read(), windows.yellow.next);
-    }
-    const FiveWords<lanes_t<Count / 2> > out = add_beats<Stage>(at, beats, h, windows);
-    if (row_kind(at.y, h).emits()) {
-      intensity_out.write(out.intensity);
-      green_out.write(out.green);
-      blue_out.write(out.blue);
-      red_out.write(out.red);
-      yellow_out.write(out.yellow);
-    }
+    window.advance(at.x == 0);
+    if (i < words) unpack(in.read(), window.next);
+    const RowKind kind = row_kind(at.y, h);
+    const lanes_t<Count / 2> word = add_beat<Stage, Channel>(at.x, window, at.x + 1 == beats, kind);
+    if (kind.emits()) out.write(word);
     at.advance(beats);
   }
-  flush_beats<Stage, Count>(beats, intensity_out, green_out, blue_out, red_out, yellow_out);
+#pragma nounroll
+  for (int x = 0; x < beats; ++x) {
+    SAILMAP_PIPELINE
+    out.write(last_beat<Stage, Channel, Count>(x));
+  }
 }
 
 // Eight pixels from the words of their left and right halves.
@@ -212,46 +148,31 @@ inline void unpack_halves(uint64_t left, uint64_t right, Lanes<8, uint16_t>& out
   unpack(right, out.rest.rest.rest.rest);
 }
 
-template <class Config, int Fine>
-void reduce_halves(stream<uint64_t>& intensity_left, stream<uint64_t>& green_left,
-                   stream<uint64_t>& blue_left, stream<uint64_t>& red_left, stream<uint64_t>& yellow_left,
-                   stream<uint64_t>& intensity_right, stream<uint64_t>& green_right,
-                   stream<uint64_t>& blue_right, stream<uint64_t>& red_right, stream<uint64_t>& yellow_right,
-                   stream<uint64_t>& intensity_out, stream<uint64_t>& green_out, stream<uint64_t>& blue_out,
-                   stream<uint64_t>& red_out, stream<uint64_t>& yellow_out, uint16_t width, uint16_t height) {
+template <class Config, int Fine, int Channel>
+void reduce_halves(stream<uint64_t>& left, stream<uint64_t>& right, stream<uint64_t>& out, uint16_t width,
+                   uint16_t height) {
   using Stage = ReduceLanes<Config, Fine, 8>;
-  const int h = geometry::level_side(height, Fine);
-  const int beats = geometry::level_side(width, Fine) / 8;
+  const int h = Config::rows(height, Fine);
+  const int beats = Config::columns(width, Fine) / 8;
   const int words = beats * h;
-  FiveWindows<8> windows = FiveWindows<8>();
-  unpack_halves(intensity_left.read(), intensity_right.read(), windows.intensity.next);
-  unpack_halves(green_left.read(), green_right.read(), windows.green.next);
-  unpack_halves(blue_left.read(), blue_right.read(), windows.blue.next);
-  unpack_halves(red_left.read(), red_right.read(), windows.red.next);
-  unpack_halves(yellow_left.read(), yellow_right.read(), windows.yellow.next);
+  BeatWindow<8> window = BeatWindow<8>();
+  unpack_halves(left.read(), right.read(), window.next);
   BeatPosition at = {0, 0};
 #pragma nounroll
   for (int i = 1; i <= words; ++i) {
     SAILMAP_PIPELINE
-    windows.advance(at.x == 0);
-    if (i < words) {
-      unpack_halves(intensity_left.read(), intensity_right.read(), windows.intensity.next);
-      unpack_halves(green_left.read(), green_right.read(), windows.green.next);
-      unpack_halves(blue_left.read(), blue_right.read(), windows.blue.next);
-      unpack_halves(red_left.read(), red_right.read(), windows.red.next);
-      unpack_halves(yellow_left.read(), yellow_right.read(), windows.yellow.next);
-    }
-    const FiveWords<uint64_t> out = add_beats<Stage>(at, beats, h, windows);
-    if (row_kind(at.y, h).emits()) {
-      intensity_out.write(out.intensity);
-      green_out.write(out.green);
-      blue_out.write(out.blue);
-      red_out.write(out.red);
-      yellow_out.write(out.yellow);
-    }
+    window.advance(at.x == 0);
+    if (i < words) unpack_halves(left.read(), right.read(), window.next);
+    const RowKind kind = row_kind(at.y, h);
+    const lanes_t<4> word = add_beat<Stage, Channel>(at.x, window, at.x + 1 == beats, kind);
+    if (kind.emits()) out.write(word);
     at.advance(beats);
   }
-  flush_beats<Stage, 8>(beats, intensity_out, green_out, blue_out, red_out, yellow_out);
+#pragma nounroll
+  for (int x = 0; x < beats; ++x) {
+    SAILMAP_PIPELINE
+    out.write(last_beat<Stage, Channel, 8>(x));
+  }
 }
 
 // From words of Count = 1 or 2 pixels on five streams to one pixel a word, colours as lanes: the form of the
@@ -260,7 +181,7 @@ template <class Config, int Level>
 void serialise_1(stream<uint16_t>& intensity, stream<uint16_t>& green, stream<uint16_t>& blue,
                  stream<uint16_t>& red, stream<uint16_t>& yellow, stream<uint16_t>& intensity_out,
                  stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
-  const int words = geometry::level_side(width, Level) * geometry::level_side(height, Level);
+  const int words = Config::columns(width, Level) * Config::rows(height, Level);
 #pragma nounroll
   for (int i = 0; i < words; ++i) {
     SAILMAP_PIPELINE
@@ -276,7 +197,7 @@ template <class Config, int Level>
 void serialise_2(stream<uint32_t>& intensity, stream<uint32_t>& green, stream<uint32_t>& blue,
                  stream<uint32_t>& red, stream<uint32_t>& yellow, stream<uint16_t>& intensity_out,
                  stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
-  const int words = geometry::level_side(width, Level) / 2 * geometry::level_side(height, Level);
+  const int words = Config::columns(width, Level) / 2 * Config::rows(height, Level);
 #pragma nounroll
   for (int i = 0; i < words; ++i) {
     SAILMAP_PIPELINE_II(2)

@@ -62,8 +62,8 @@ template <class Config, int Fine>
 void reduce_pixels(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<uint16_t>& intensity_out,
                    stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
   using Stage = ReducePixels<Config, Fine>;
-  const int w = geometry::level_side(width, Fine);
-  const int h = geometry::level_side(height, Fine);
+  const int w = Config::columns(width, Fine);
+  const int h = Config::rows(height, Fine);
   const int columns = geometry::half(w);
 #pragma nounroll
   for (int y = 0; y < h; ++y) {

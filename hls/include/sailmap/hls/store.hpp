@@ -22,9 +22,11 @@ struct StoreMemory {
   static uint8_t flags[Config::level_pixels(geometry::base_level)];
 };
 template <class Config, int Count, int Kind, int Bank>
-lanes_t<Count> StoreMemory<Config, Count, Kind, Bank>::words[Config::level_pixels(geometry::base_level)];
+SAILMAP_MEMORY lanes_t<Count>
+    StoreMemory<Config, Count, Kind, Bank>::words[Config::level_pixels(geometry::base_level)];
 template <class Config, int Count, int Kind, int Bank>
-uint8_t StoreMemory<Config, Count, Kind, Bank>::flags[Config::level_pixels(geometry::base_level)];
+SAILMAP_MEMORY uint8_t
+    StoreMemory<Config, Count, Kind, Bank>::flags[Config::level_pixels(geometry::base_level)];
 
 // Maximum and m of each lane.
 template <int Count>

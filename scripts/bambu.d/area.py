@@ -1,0 +1,72 @@
+"""Lint of the Verilog of a top, and its area by Yosys."""
+
+import json
+import re
+from dataclasses import dataclass
+
+from job import Fault, checked
+
+# What the components of Bambu's library and its names cause in every design, whatever the source is:
+WAIVED = {
+    "DECLFILENAME": "file and module have different names: modules have the compiler's mangled names",
+    "PINMISSING": "library components with ports that a use of them leaves open",
+    "SYNCASYNCNET": "the reset of the controller is asynchronous, that of the streams synchronous",
+    "UNUSEDPARAM": "library components are written for more than a use of them needs",
+    "UNUSEDSIGNAL": "the same",
+    "WIDTH": "library components leave it to Verilog to extend and cut numbers",
+}
+
+
+def lint(job, seconds):
+    """Verilator's warnings of other classes than WAIVED, one a line; a Fault when there are any."""
+    waivers = [f"-Wno-{name}" for name in WAIVED]
+    try:
+        checked(["verilator", "--lint-only", "-Wall", *waivers, "--top-module", job.module(), job.verilog],
+                job.folder / "lint.log", job.folder, seconds)
+    except Fault:
+        text = (job.folder / "lint.log").read_text(encoding="utf-8")
+        classes = sorted(set(re.findall(r"%(?:Warning|Error)[-\w]*", text)))
+        raise Fault(f"{job.top.name}: lint: {', '.join(classes)}, see {job.folder / 'lint.log'}") from None
+
+
+@dataclass(frozen=True)
+class Area:
+    """Of a whole design; block memories in units of 36 Kbit (xc7) or 18 Kbit (ecp5)."""
+
+    lut: int
+    ff: int
+    bram: float
+    dsp: int
+
+
+def xc7(cells):
+    """LUTs that are memory or shift registers are LUTs: one a RAM32X1D half, four a RAM32M, and so on."""
+    as_memory = {"RAM32X1D": 2, "RAM64X1D": 2, "RAM32X1S": 1, "RAM64X1S": 1, "RAM128X1D": 4, "RAM128X1S": 2, "RAM32M": 4,
+                 "RAM64M": 4, "RAM256X1S": 4, "SRL16E": 1, "SRLC32E": 1}
+    return Area(lut=sum(cells.get(f"LUT{n}", 0) for n in range(1, 7)) + cells.get("INV", 0) +
+                sum(cells.get(name, 0) * luts for name, luts in as_memory.items()),
+                ff=sum(number for name, number in cells.items() if re.fullmatch(r"FD[RSCP]E(_1)?", name)),
+                bram=cells.get("RAMB36E1", 0) + cells.get("RAMB18E1", 0) / 2, dsp=cells.get("DSP48E1", 0))
+
+
+def ecp5(cells):
+    """A carry of two bits (CCU2C) is two LUTs; 16 words of four bits (DPR16X4) are four and two for the addresses."""
+    return Area(lut=cells.get("LUT4", 0) + 2 * cells.get("CCU2C", 0) + 6 * cells.get("TRELLIS_DPR16X4", 0),
+                ff=cells.get("TRELLIS_FF", 0), bram=cells.get("DP16KD", 0), dsp=cells.get("MULT18X18D", 0))
+
+
+FAMILIES = {"xc7": ("synth_xilinx -family xc7 -flatten -noiopad", xc7), "ecp5": ("synth_ecp5", ecp5)}
+
+
+def area(job, family, seconds):
+    """The Area of a top in a family."""
+    command, count = FAMILIES[family]
+    statistics = job.folder / f"{family}.json"
+    if not statistics.exists() or statistics.stat().st_mtime < job.verilog.stat().st_mtime:
+        # Deferred: components without a use would look for memory files that are not there.
+        script = (f"read_verilog -defer {job.verilog.name}; {command} -top {job.module()}; "
+                  f"tee -q -o {statistics.name}.new stat -json")
+        checked(["yosys", "-q", "-p", script], job.folder / f"{family}.log", job.folder, seconds)
+        (job.folder / f"{statistics.name}.new").rename(statistics)
+    cells = json.loads(statistics.read_text(encoding="utf-8"))["design"]["num_cells_by_type"]
+    return count(cells)
