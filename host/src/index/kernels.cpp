@@ -1,6 +1,7 @@
 #include "kernels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "plain_kernels.hpp"
 
@@ -18,8 +19,9 @@ std::uint64_t screen(const Block& block, const ScreenQuery& query, std::uint8_t*
   return plain::screen(block, query, work);
 }
 
-void nearest(const QueryLanes& lanes, const Region* candidates, std::size_t count, float* out) {
-  plain::nearest(lanes, candidates, count, out);
+ConsistentMatches consistent(const QueryLanes& lanes, const Region* candidates, std::size_t count,
+                             EstimateWork& work) {
+  return plain::consistent(lanes, candidates, count, work);
 }
 
 #else
@@ -30,72 +32,113 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Bytes = hn::CappedTag<std::uint8_t, block_images>;
 using Vector = hn::Vec<Bytes>;
+using Pairs = hn::CappedTag<std::int16_t, block_images>;  // codes, two to a lane
+using PairVector = hn::Vec<Pairs>;
 
-// Codes of `lanes` images as whole bytes: eight rows for each slot.
-HWY_INLINE void unpack(const Block& block, std::size_t first_lane, std::uint8_t* numbers) {
-  const Bytes d;
-  const hn::RepartitionToWide<Bytes> d16;
-  const Vector low_bits = hn::Set(d, 0x0F);
-  const std::size_t lanes = hn::Lanes(d);
-  const std::size_t rows = block.slots() * code_bytes;
-  for (std::size_t row = 0; row < rows; ++row) {
-    const Vector packed = hn::LoadU(d, block.codes.data() + row * block_images + first_lane);
-    const Vector shifted = hn::BitCast(d, hn::ShiftRight<4>(hn::BitCast(d16, packed)));
-    hn::StoreU(hn::And(packed, low_bits), d, numbers + 2 * row * lanes);
-    hn::StoreU(hn::And(shifted, low_bits), d, numbers + (2 * row + 1) * lanes);
+// For each lane the sum of the products of its two bytes, those of `codes` (0 .. 127) and those of
+// `signed_bytes`.
+HWY_INLINE PairVector dot(PairVector codes, PairVector signed_bytes) {
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4
+  return PairVector{_mm_maddubs_epi16(codes.raw, signed_bytes.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  return PairVector{_mm256_maddubs_epi16(codes.raw, signed_bytes.raw)};
+#elif HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+  return PairVector{_mm512_maddubs_epi16(codes.raw, signed_bytes.raw)};
+#else
+  const auto low =
+      hn::Mul(hn::And(codes, hn::Set(Pairs(), 0xFF)), hn::ShiftRight<8>(hn::ShiftLeft<8>(signed_bytes)));
+  return hn::Add(low, hn::Mul(hn::ShiftRight<8>(codes), hn::ShiftRight<8>(signed_bytes)));
+#endif
+}
+
+// The two bytes' squares about zero_code, summed.
+HWY_INLINE PairVector squares(PairVector codes) {
+  const hn::Repartition<std::int8_t, Pairs> bytes;
+  const auto centred = hn::Sub(hn::BitCast(bytes, codes), hn::Set(bytes, zero_code));
+  const auto size = hn::BitCast(Pairs(), hn::Abs(centred));
+  return dot(size, size);
+}
+
+// Half the squares |c|^2 of descriptor and position of each candidate; positions of empty slots are beyond
+// all reach. Rows of 64 numbers, descriptor and position for each slot.
+HWY_INLINE void half_squares(const Block& block, std::int16_t* out) {
+  const Pairs d;
+  constexpr std::int16_t nowhere = 24000;  // above any p of screen(), and no sum with it overflows
+  for (std::size_t slot = 0; slot < block.slots(); ++slot) {
+    const auto* row = reinterpret_cast<const std::int16_t*>(block.codes.data() + slot * Block::slot_bytes);
+    for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(d)) {
+      const auto pair = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, row + i * block_images + lane); };
+      const auto sum = hn::Add(hn::Add(squares(pair(0)), squares(pair(1))), squares(pair(2)));
+      const auto count = hn::LoadU(d, block.counts.data() + lane);
+      const auto filled = hn::Gt(count, hn::Set(d, static_cast<std::int16_t>(slot)));
+      const auto position = hn::ShiftRight<1>(squares(pair(3)));
+      hn::StoreU(hn::ShiftRight<1>(sum), d, out + 2 * slot * block_images + lane);
+      hn::StoreU(hn::IfThenElse(filled, position, hn::Set(d, nowhere)), d,
+                 out + (2 * slot + 1) * block_images + lane);
+    }
   }
 }
 
-// The distance code of each squared one, rounded down: by the number itself below 16, by its quarter below
-// 64, by its sixteenth above.
-HWY_INLINE Vector root(Vector squared, const std::uint8_t* tables) {
-  const Bytes d;
-  const hn::RepartitionToWide<Bytes> d16;
-  const Vector low_bits = hn::Set(d, 0x0F);
-  const auto wide = hn::BitCast(d16, squared);
-  const Vector quarter = hn::And(hn::BitCast(d, hn::ShiftRight<2>(wide)), low_bits);
-  const Vector sixteenth = hn::And(hn::BitCast(d, hn::ShiftRight<4>(wide)), low_bits);
-  const Vector fine = hn::TableLookupBytes(hn::LoadDup128(d, tables), hn::And(squared, low_bits));
-  const Vector middle = hn::TableLookupBytes(hn::LoadDup128(d, tables + 16), quarter);
-  const Vector coarse = hn::TableLookupBytes(hn::LoadDup128(d, tables + 32), sixteenth);
-  const Vector below_64 = hn::IfThenElse(hn::Lt(squared, hn::Set(d, 16)), fine, middle);
-  return hn::IfThenElse(hn::Lt(squared, hn::Set(d, 64)), below_64, coarse);
+// A region of the query in registers.
+struct Probe {
+  PairVector q0, q1, q2, q3, limit, least;
+};
+
+HWY_INLINE Probe probe_of(const ScreenRegion& region) {
+  const Pairs d;
+  return {hn::Set(d, region.minus_pairs[0]), hn::Set(d, region.minus_pairs[1]),
+          hn::Set(d, region.minus_pairs[2]), hn::Set(d, region.minus_pairs[3]),
+          hn::Set(d, region.position_limit), hn::Set(d, INT16_MAX)};
 }
 
-// The least bound over all slots for one region of the query: a distance code for each image.
-HWY_INLINE Vector least_bound(const Block& block, const ScreenQuery& query, std::size_t region,
-                              const std::uint8_t* numbers) {
-  const Bytes d;
-  const hn::RebindToSigned<Bytes> di;
-  const std::size_t lanes = hn::Lanes(d);
-  const auto& tables = query.tables[region];
-  const auto columns = query.columns[region];
-  static_assert(code_numbers == 8);
-  const Vector t0 = hn::LoadDup128(d, tables[0].data());
-  const Vector t1 = hn::LoadDup128(d, tables[1].data());
-  const Vector t2 = hn::LoadDup128(d, tables[2].data());
-  const Vector t3 = hn::LoadDup128(d, tables[3].data());
-  const Vector t4 = hn::LoadDup128(d, tables[4].data());
-  const Vector t5 = hn::LoadDup128(d, tables[5].data());
-  const Vector t6 = hn::LoadDup128(d, tables[6].data());
-  const Vector t7 = hn::LoadDup128(d, tables[7].data());
-  Vector least = hn::Set(d, 255);
-  const std::size_t slots = block.slots();
-  for (std::size_t slot = 0; slot < slots; ++slot) {
-    if (block.columns[slot].last < columns.first || block.columns[slot].first > columns.last) continue;
-    const std::uint8_t* row = numbers + slot * code_numbers * lanes;
-    const auto look_up = [&](Vector table, std::size_t number) HWY_ATTR {
-      return hn::TableLookupBytes(table, hn::LoadU(d, row + number * lanes));
+// Distance codes from half the squared distances in code steps: rounded down, less the codes' errors.
+HWY_INLINE void store_distances(PairVector half_squared, const ScreenRegion& region, float scale,
+                                std::uint8_t* out) {
+  const hn::RepartitionToWide<Pairs> d32;
+  const hn::Repartition<float, Pairs> df;
+  const hn::Rebind<std::uint8_t, decltype(d32)> d8;
+  const hn::Half<Pairs> half;
+  const auto convert = [&](auto numbers, std::uint8_t* to) HWY_ATTR {
+    const auto squared = hn::Max(hn::ConvertTo(df, hn::PromoteTo(d32, numbers)), hn::Zero(df));
+    const auto steps = hn::Sqrt(hn::Add(squared, squared));
+    const auto codes = hn::Sub(hn::Mul(steps, hn::Set(df, scale)), hn::Set(df, region.error));
+    const auto within = hn::Min(hn::Max(codes, hn::Zero(df)), hn::Set(df, 255.0F));
+    hn::StoreU(hn::DemoteTo(d8, hn::ConvertTo(d32, within)), d8, to);
+  };
+  convert(hn::LowerHalf(half, half_squared), out);
+  convert(hn::UpperHalf(half, half_squared), out + hn::Lanes(d32));
+}
+
+// The least bounds over all slots, a distance code for each image, for two regions of the query at a time (so
+// that each candidate is loaded once for both).
+HWY_INLINE void least_bounds(const Block& block, const ScreenRegion& first, const ScreenRegion& second,
+                             const std::int16_t* half, float scale, std::size_t lane, std::uint8_t* out) {
+  const Pairs d;
+  Probe a = probe_of(first);
+  Probe b = probe_of(second);
+  const std::uint8_t first_column = std::min(first.first_column, second.first_column);
+  const std::uint8_t last_column = std::max(first.last_column, second.last_column);
+  for (std::size_t slot = 0; slot < block.slots(); ++slot) {
+    if (block.columns[slot].last < first_column || block.columns[slot].first > last_column) continue;
+    const auto* row = reinterpret_cast<const std::int16_t*>(block.codes.data() + slot * Block::slot_bytes);
+    const PairVector c0 = hn::LoadU(d, row + lane);
+    const PairVector c1 = hn::LoadU(d, row + block_images + lane);
+    const PairVector c2 = hn::LoadU(d, row + 2 * block_images + lane);
+    const PairVector c3 = hn::LoadU(d, row + 3 * block_images + lane);
+    const PairVector descriptor = hn::LoadU(d, half + 2 * slot * block_images + lane);
+    const PairVector position = hn::LoadU(d, half + (2 * slot + 1) * block_images + lane);
+    const auto improve = [&](Probe& probe, PairVector rest) HWY_ATTR {
+      // Sums wrap around; where the end of them does, the bound is negative and counts as 0.
+      const auto distance = hn::Add(hn::Add(hn::Add(descriptor, rest), dot(c0, probe.q0)),
+                                    hn::Add(dot(c1, probe.q1), dot(c2, probe.q2)));
+      const auto near = hn::Lt(hn::Add(position, dot(c3, probe.q3)), probe.limit);
+      probe.least = hn::Min(probe.least, hn::IfThenElse(near, distance, hn::Set(d, INT16_MAX)));
     };
-    const Vector a = hn::SaturatedAdd(look_up(t0, 0), look_up(t1, 1));
-    const Vector b = hn::SaturatedAdd(look_up(t2, 2), look_up(t3, 3));
-    const Vector c = hn::SaturatedAdd(look_up(t4, 4), look_up(t5, 5));
-    const Vector squared = hn::SaturatedAdd(hn::SaturatedAdd(a, b), c);
-    const Vector position = hn::SaturatedAdd(look_up(t6, 6), look_up(t7, 7));
-    const Vector too_far = hn::BitCast(d, hn::BroadcastSignBit(hn::BitCast(di, position)));
-    least = hn::Min(least, hn::Or(squared, too_far));
+    improve(a, hn::Set(d, first.descriptor_rest));
+    improve(b, hn::Set(d, second.descriptor_rest));
   }
-  return root(least, query.roots.data());
+  store_distances(a.least, first, scale, out);
+  store_distances(b.least, second, scale, out + block_images);
 }
 
 // Which images have a k for which the k smallest of their bounds (rows of `bounds`, sorted) keep the limit.
@@ -109,7 +152,7 @@ HWY_INLINE std::uint64_t within_limits(const std::uint8_t* bounds, const ScreenQ
   auto low_excess = hn::Set(d16, 0xFFFF);
   auto high_excess = low_excess;
   for (std::size_t k = 0; k < query.limits.size(); ++k) {
-    const Vector bound = hn::LoadU(d, bounds + k * lanes);
+    const Vector bound = hn::LoadU(d, bounds + k * block_images);
     const auto limit = hn::Set(d16, query.limits[k]);
     low_sum = hn::SaturatedAdd(low_sum, hn::PromoteTo(d16, hn::LowerHalf(dh, bound)));
     high_sum = hn::SaturatedAdd(high_sum, hn::PromoteTo(d16, hn::UpperHalf(dh, bound)));
@@ -131,55 +174,145 @@ HWY_INLINE std::uint64_t within_limits(const std::uint8_t* bounds, const ScreenQ
 
 std::uint64_t screen(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
   const Bytes d;
-  const std::size_t lanes = hn::Lanes(d);
-  const std::size_t regions = query.tables.size();
+  const std::size_t regions = query.regions.size();
   std::uint8_t* bounds = work;
-  std::uint8_t* numbers = work + regions * block_images;
+  auto* half = reinterpret_cast<std::int16_t*>(work + (regions + 1) * block_images);
+  half_squares(block, half);
+  for (std::size_t i = 0; i < regions; i += 2) {
+    const ScreenRegion& second = query.regions[std::min(i + 1, regions - 1)];
+    for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(Pairs())) {
+      least_bounds(block, query.regions[i], second, half, query.scale, lane,
+                   bounds + i * block_images + lane);
+    }
+  }
   std::uint64_t passing = 0;
-  for (std::size_t lane = 0; lane < block_images; lane += lanes) {
-    unpack(block, lane, numbers);
-    for (std::size_t i = 0; i < regions; ++i) {
-      hn::StoreU(least_bound(block, query, i, numbers), d, bounds + i * lanes);
-    }
+  for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(d)) {
     for (const auto& [i, j] : query.network) {
-      const Vector a = hn::LoadU(d, bounds + i * lanes);
-      const Vector b = hn::LoadU(d, bounds + j * lanes);
-      hn::StoreU(hn::Min(a, b), d, bounds + i * lanes);
-      hn::StoreU(hn::Max(a, b), d, bounds + j * lanes);
+      const Vector a = hn::LoadU(d, bounds + i * block_images + lane);
+      const Vector b = hn::LoadU(d, bounds + j * block_images + lane);
+      hn::StoreU(hn::Min(a, b), d, bounds + i * block_images + lane);
+      hn::StoreU(hn::Max(a, b), d, bounds + j * block_images + lane);
     }
-    passing |= within_limits(bounds, query) << lane;
+    passing |= within_limits(bounds + lane, query) << lane;
   }
   return passing;
 }
 
-void nearest(const QueryLanes& lanes, const Region* candidates, std::size_t count, float* out) {
-  const hn::CappedTag<float, lane_padding> d;
-  const auto radius = hn::Set(d, lanes.squared_radius);
-  const auto none = hn::Set(d, 1e31F);
-  for (std::size_t lane = 0; lane < lanes.x.size(); lane += hn::Lanes(d)) {
-    const auto x = hn::LoadU(d, lanes.x.data() + lane);
-    const auto y = hn::LoadU(d, lanes.y.data() + lane);
-    auto least = none;
-    for (std::size_t j = 0; j < count; ++j) {
-      const Region& to = candidates[j];
-      const auto dx = hn::Sub(x, hn::Set(d, to.x));
-      const auto dy = hn::Sub(y, hn::Set(d, to.y));
-      const auto near = hn::Le(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), radius);
-      if (hn::AllFalse(d, near)) continue;
-      auto even = hn::Zero(d);
-      auto odd = hn::Zero(d);
-      static_assert(feature_count % 2 == 0);
-      for (std::size_t i = 0; i < feature_count; i += 2) {
-        const auto a = hn::Sub(hn::LoadU(d, lanes.descriptor[i].data() + lane), hn::Set(d, to.descriptor[i]));
-        const auto b =
-            hn::Sub(hn::LoadU(d, lanes.descriptor[i + 1].data() + lane), hn::Set(d, to.descriptor[i + 1]));
-        even = hn::MulAdd(a, a, even);
-        odd = hn::MulAdd(b, b, odd);
-      }
-      least = hn::Min(least, hn::IfThenElse(near, hn::Add(even, odd), none));
+namespace {
+
+using Floats = hn::CappedTag<float, lane_padding>;
+using FloatVector = hn::Vec<Floats>;
+
+// For a vector of query regions the nearest admissible candidate: squared distance, displacement.
+struct Nearest {
+  FloatVector least, dx, dy;
+  bool ambiguous;
+};
+
+HWY_INLINE Nearest nearest(const QueryLanes& lanes, std::size_t lane, const Region* candidates,
+                           const std::uint16_t* within_reach, std::size_t count) {
+  const Floats d;
+  const FloatVector largest = hn::Set(d, lanes.largest_squared_offset);
+  const FloatVector none = hn::Set(d, no_candidate);
+  const FloatVector x = hn::LoadU(d, lanes.x.data() + lane);
+  const FloatVector y = hn::LoadU(d, lanes.y.data() + lane);
+  FloatVector from[feature_count];
+  for (std::size_t i = 0; i < feature_count; ++i) from[i] = hn::LoadU(d, lanes.descriptor[i].data() + lane);
+  FloatVector least = none;
+  FloatVector second = none;
+  FloatVector least_dx = none;
+  FloatVector least_dy = none;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Region& to = candidates[within_reach[k]];
+    const FloatVector dx = hn::Sub(x, hn::Set(d, to.x));
+    const FloatVector dy = hn::Sub(y, hn::Set(d, to.y));
+    const auto near = hn::Le(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), largest);
+    FloatVector even = hn::Zero(d);
+    FloatVector odd = hn::Zero(d);
+    static_assert(feature_count % 2 == 0);
+    for (std::size_t i = 0; i < feature_count; i += 2) {
+      const auto a = hn::Sub(from[i], hn::Set(d, to.descriptor[i]));
+      const auto b = hn::Sub(from[i + 1], hn::Set(d, to.descriptor[i + 1]));
+      even = hn::MulAdd(a, a, even);
+      odd = hn::MulAdd(b, b, odd);
     }
-    hn::StoreU(least, d, out + lane);
+    const FloatVector squared = hn::IfThenElse(near, hn::Add(even, odd), none);
+    const auto nearer = hn::Lt(squared, least);
+    second = hn::Min(second, hn::Max(squared, least));
+    least_dx = hn::IfThenElse(nearer, dx, least_dx);
+    least_dy = hn::IfThenElse(nearer, dy, least_dy);
+    least = hn::Min(least, squared);
   }
+  const auto certain = hn::MulAdd(least, hn::Set(d, 1 + ambiguous_part), hn::Set(d, underflow));
+  const auto doubtful = hn::And(hn::Lt(least, none), hn::Le(second, certain));
+  return {least, least_dx, least_dy, !hn::AllFalse(d, doubtful)};
+}
+
+// The candidates whose columns are within reach, in their order. Without branches: whether one is cannot be
+// foretold.
+HWY_INLINE std::size_t list_within(const QueryLanes::Reach& reach, const Region* candidates,
+                                   std::size_t count, std::uint16_t* list) {
+  std::size_t size = 0;
+  for (std::size_t j = 0; j < count; ++j) {
+    const int x = candidates[j].x;
+    list[size] = static_cast<std::uint16_t>(j);
+    size += static_cast<std::size_t>(x >= reach.first) & static_cast<std::size_t>(x <= reach.last);
+  }
+  return size;
+}
+
+// How many displacements agree with (x, y).
+HWY_INLINE std::size_t supporters(const float* dx, const float* dy, std::size_t lanes, float x, float y,
+                                  float largest) {
+  const Floats d;
+  std::size_t count = 0;
+  for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
+    const FloatVector ex = hn::Sub(hn::LoadU(d, dx + lane), hn::Set(d, x));
+    const FloatVector ey = hn::Sub(hn::LoadU(d, dy + lane), hn::Set(d, y));
+    count += hn::CountTrue(d, hn::Le(hn::MulAdd(ex, ex, hn::Mul(ey, ey)), hn::Set(d, largest)));
+  }
+  return count;
+}
+
+}  // namespace
+
+ConsistentMatches consistent(const QueryLanes& lanes, const Region* candidates, std::size_t count,
+                             EstimateWork& work) {
+  const Floats d;
+  const std::size_t padded = lanes.x.size();
+  float* squared = work.numbers.data();
+  float* dx = squared + padded;
+  float* dy = dx + padded;
+  work.within_reach.resize(std::max(work.within_reach.size(), count + 1));
+  ConsistentMatches out;
+  for (std::size_t lane = 0; lane < padded; lane += hn::Lanes(d)) {
+    const std::size_t within =
+        list_within(lanes.reaches[lane / lane_padding], candidates, count, work.within_reach.data());
+    const Nearest found = nearest(lanes, lane, candidates, work.within_reach.data(), within);
+    if (found.ambiguous) return {0, 0, true};
+    hn::StoreU(found.least, d, squared + lane);
+    hn::StoreU(found.dx, d, dx + lane);
+    hn::StoreU(found.dy, d, dy + lane);
+  }
+  std::size_t most = 0;
+  std::size_t common = 0;
+  for (const std::size_t lane : lanes.order) {
+    if (squared[lane] >= no_candidate) continue;
+    const std::size_t support = supporters(dx, dy, padded, dx[lane], dy[lane], lanes.largest_squared_spread);
+    if (support > most) {
+      most = support;
+      common = lane;
+    }
+  }
+  if (most == 0) return out;
+  for (std::size_t lane = 0; lane < lanes.count; ++lane) {
+    const float ex = dx[lane] - dx[common];
+    const float ey = dy[lane] - dy[common];
+    if (squared[lane] >= no_candidate || ex * ex + ey * ey > lanes.largest_squared_spread) continue;
+    out.sum += std::sqrt(std::max(0.0F, squared[lane] - underflow));
+    ++out.count;
+  }
+  return out;
 }
 
 #endif  // HWY_SCALAR
@@ -191,18 +324,19 @@ HWY_AFTER_NAMESPACE();
 namespace sailmap::index {
 
 HWY_EXPORT(screen);
-HWY_EXPORT(nearest);
+HWY_EXPORT(consistent);
 
 std::size_t work_bytes(std::size_t slots, std::size_t regions) {
-  return (regions + slots * code_numbers) * block_images;
+  return (regions + 1 + 4 * slots) * block_images;
 }
 
 std::uint64_t screen_block(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
   return HWY_DYNAMIC_DISPATCH(screen)(block, query, work);
 }
 
-void nearest_squared(const QueryLanes& lanes, const Region* candidates, std::size_t count, float* nearest) {
-  HWY_DYNAMIC_DISPATCH(nearest)(lanes, candidates, count, nearest);
+ConsistentMatches consistent_matches(const QueryLanes& lanes, const Region* candidates, std::size_t count,
+                                     EstimateWork& work) {
+  return HWY_DYNAMIC_DISPATCH(consistent)(lanes, candidates, count, work);
 }
 
 }  // namespace sailmap::index

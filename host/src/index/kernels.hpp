@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "estimate.hpp"
 #include "screen.hpp"
 
 namespace sailmap::index {
@@ -12,9 +13,15 @@ namespace sailmap::index {
 std::uint64_t screen_block(const Block& block, const ScreenQuery& query, std::uint8_t* work);
 std::size_t work_bytes(std::size_t slots, std::size_t regions);
 
-// For each query region the least squared distance to an admissible candidate, or a number above 1e30 where
-// there is none; lanes.x.size() floats.
-void nearest_squared(const QueryLanes& lanes, const Region* candidates, std::size_t count, float* nearest);
-inline constexpr std::size_t lane_padding = 16;
+// Both constraints. `work.numbers` holds 3 * lanes.x.size() numbers, the rest grows as needed.
+ConsistentMatches consistent_matches(const QueryLanes& lanes, const Region* candidates, std::size_t count,
+                                     EstimateWork& work);
+
+// Two squared distances within this part of each other are too near for single precision to order.
+inline constexpr float ambiguous_part = 1e-5F;
+// What underflow can lose of a squared distance.
+inline constexpr float underflow = 1e-37F;
+// Squared distance where there is no admissible candidate, above all others.
+inline constexpr float no_candidate = 1e31F;
 
 }  // namespace sailmap::index

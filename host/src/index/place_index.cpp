@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "estimate.hpp"
 #include "leaders.hpp"
 #include "match/check.hpp"
 #include "screen.hpp"
@@ -26,7 +27,7 @@ class Search {
         signature_of_(signature_of),
         leaders_(same_place_nodes),
         screen_(query, config),
-        nearest_(query, config) {}
+        estimate_(query, config) {}
 
   void compare(const PlaceIndex::Entry& entry) {
     if (entry.node < nodes_) {
@@ -75,7 +76,7 @@ class Search {
         __builtin_prefetch(bytes + at);
       }
     }
-    for (Promising& p : gathered_) p.bound = nearest_(*p.signature);
+    for (Promising& p : gathered_) p.bound = estimate_(*p.signature);
     std::sort(gathered_.begin(), gathered_.end(),
               [](const Promising& a, const Promising& b) { return a.bound > b.bound; });
     const double before = leaders_.threshold();
@@ -93,7 +94,7 @@ class Search {
   const PlaceIndex::SignatureOf& signature_of_;
   index::Leaders leaders_;
   index::ScreenQuery screen_;
-  index::NearestBound nearest_;
+  index::Estimator estimate_;
   std::vector<Promising> gathered_;
 };
 

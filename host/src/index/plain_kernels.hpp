@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,44 +12,43 @@
 
 namespace sailmap::index::plain {
 
-inline int saturated(int sum) { return std::min(sum, 255); }
-
-// As bytes of one image in one slot: the eight code numbers.
-inline std::array<std::uint8_t, code_numbers> numbers_of(const Block& block, std::size_t slot,
-                                                         std::size_t lane) {
-  std::array<std::uint8_t, code_numbers> out{};
-  for (std::size_t byte = 0; byte < code_bytes; ++byte) {
-    const std::uint8_t packed = block.codes[(slot * code_bytes + byte) * block_images + lane];
-    out[2 * byte] = packed & 0x0FU;
-    out[2 * byte + 1] = static_cast<std::uint8_t>(packed >> 4U);
+// Half the squared distance of two codes [begin, end), rounded down as the vectorised kernels do.
+inline int half_distance(const Block& block, std::size_t slot, std::size_t lane, const ScreenRegion& region,
+                         std::size_t begin, std::size_t end) {
+  int square = 0;
+  int product = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const std::size_t row = slot * Block::slot_bytes + i / 2 * Block::row_bytes;
+    const int c = block.codes[row + 2 * lane + i % 2];
+    const auto pair = static_cast<std::uint16_t>(region.minus_pairs[i / 2]);
+    const auto minus_q = static_cast<std::int8_t>(i % 2 == 0 ? pair & 0xFFU : pair >> 8U);
+    square += (c - zero_code) * (c - zero_code);
+    product += c * minus_q;
   }
-  return out;
+  return square / 2 + product;
 }
 
-inline int root(int squared, const std::array<std::uint8_t, 48>& roots) {
-  const int entry = squared < 16 ? squared : squared < 64 ? 16 + squared / 4 : 32 + squared / 16;
-  return roots[static_cast<std::size_t>(entry)];
-}
-
-inline int least_bound(const Block& block, const ScreenQuery& query, std::size_t region, std::size_t lane) {
-  const auto& tables = query.tables[region];
-  int least = 255;
-  for (std::size_t slot = 0; slot < block.slots(); ++slot) {
-    const auto number = numbers_of(block, slot, lane);
-    int squared = 0;
-    for (std::size_t i = 0; i < directions; ++i) squared = saturated(squared + tables[i][number[i]]);
-    const int position =
-        tables[directions][number[directions]] + tables[directions + 1][number[directions + 1]];
-    if (position < 128) least = std::min(least, squared);
+inline std::uint8_t least_bound(const Block& block, const ScreenRegion& region, float scale,
+                                std::size_t lane) {
+  int least = INT16_MAX;
+  const auto count = static_cast<std::size_t>(block.counts[lane]);
+  for (std::size_t slot = 0; slot < count; ++slot) {
+    if (half_distance(block, slot, lane, region, directions, code_bytes) >= region.position_limit) continue;
+    const int wide = half_distance(block, slot, lane, region, 0, directions) + region.descriptor_rest;
+    least = std::min<int>(least, static_cast<std::int16_t>(wide));
   }
-  return root(least, query.roots);
+  const auto squared = static_cast<float>(std::max(least, 0));
+  const float code = std::sqrt(squared + squared) * scale - region.error;
+  return static_cast<std::uint8_t>(std::clamp(code, 0.0F, 255.0F));
 }
 
 inline std::uint64_t screen(const Block& block, const ScreenQuery& query, std::uint8_t* /*work*/) {
   std::uint64_t passing = 0;
-  std::vector<int> bounds(query.tables.size());
+  std::vector<int> bounds(query.regions.size());
   for (std::size_t lane = 0; lane < block_images; ++lane) {
-    for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i] = least_bound(block, query, i, lane);
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      bounds[i] = least_bound(block, query.regions[i], query.scale, lane);
+    }
     std::sort(bounds.begin(), bounds.end());
     int sum = 0;
     bool passes = false;
@@ -61,22 +61,57 @@ inline std::uint64_t screen(const Block& block, const ScreenQuery& query, std::u
   return passing;
 }
 
-inline void nearest(const QueryLanes& lanes, const Region* candidates, std::size_t count, float* out) {
-  std::fill_n(out, lanes.x.size(), 1e31F);
-  for (std::size_t i = 0; i < lanes.count; ++i) {
-    for (std::size_t j = 0; j < count; ++j) {
-      const Region& to = candidates[j];
-      const float dx = lanes.x[i] - to.x;
-      const float dy = lanes.y[i] - to.y;
-      if (!(dx * dx + dy * dy <= lanes.squared_radius)) continue;
-      float sum = 0;
-      for (std::size_t k = 0; k < feature_count; ++k) {
-        const float difference = lanes.descriptor[k][i] - to.descriptor[k];
-        sum += difference * difference;
-      }
-      out[i] = std::min(out[i], sum);
+struct NearestOne {
+  float least = no_candidate;
+  float second = no_candidate;
+  float dx = 0;
+  float dy = 0;
+};
+
+inline NearestOne nearest(const QueryLanes& lanes, std::size_t lane, const Region* candidates,
+                          std::size_t count) {
+  NearestOne out;
+  for (std::size_t j = 0; j < count; ++j) {
+    const Region& to = candidates[j];
+    const float dx = lanes.x[lane] - to.x;
+    const float dy = lanes.y[lane] - to.y;
+    if (dx * dx + dy * dy > lanes.largest_squared_offset) continue;
+    float squared = 0;
+    for (std::size_t k = 0; k < feature_count; ++k) {
+      const float difference = lanes.descriptor[k][lane] - to.descriptor[k];
+      squared += difference * difference;
+    }
+    if (squared < out.least) {
+      out = {squared, out.least, dx, dy};
+    } else {
+      out.second = std::min(out.second, squared);
     }
   }
+  return out;
+}
+
+inline ConsistentMatches consistent(const QueryLanes& lanes, const Region* candidates, std::size_t count,
+                                    EstimateWork& /*work*/) {
+  std::vector<NearestOne> matches;  // in the order of the query's regions
+  for (const std::size_t lane : lanes.order) {
+    const NearestOne found = nearest(lanes, lane, candidates, count);
+    if (found.least >= no_candidate) continue;
+    if (found.second <= found.least * (1 + ambiguous_part) + underflow) return {0, 0, true};
+    matches.push_back(found);
+  }
+  ConsistentMatches most;
+  for (const NearestOne& common : matches) {
+    ConsistentMatches agreeing;
+    for (const NearestOne& match : matches) {
+      const float ex = match.dx - common.dx;
+      const float ey = match.dy - common.dy;
+      if (ex * ex + ey * ey > lanes.largest_squared_spread) continue;
+      agreeing.sum += std::sqrt(std::max(0.0F, match.least - underflow));
+      ++agreeing.count;
+    }
+    if (agreeing.count > most.count) most = agreeing;
+  }
+  return most;
 }
 
 }  // namespace sailmap::index::plain

@@ -20,16 +20,19 @@ namespace sailmap::index {
 
 inline constexpr std::size_t block_images = 64;
 
-// The codes of up to 64 images: for each slot (the images' regions in order of their column) `code_bytes`
-// rows of 64 bytes.
+// The codes of up to 64 images: for each slot (an image's regions in order of their column) four rows, one
+// for each pair of code bytes, of 64 such pairs.
 struct Block {
   std::vector<std::uint8_t> codes;
   struct Columns {
-    std::uint8_t first = no_cell;
+    std::uint8_t first = last_code;
     std::uint8_t last = 0;
   };
-  std::vector<Columns> columns;  // of each slot, over its images
+  std::vector<Columns> columns;                     // of each slot, over its images
+  std::array<std::int16_t, block_images> counts{};  // regions of each image, slots beyond are empty
 
+  static constexpr std::size_t row_bytes = 2 * block_images;
+  static constexpr std::size_t slot_bytes = code_bytes * block_images;
   [[nodiscard]] std::size_t slots() const { return columns.size(); }
   void add(std::size_t lane, const Signature& signature);
   [[nodiscard]] std::size_t memory() const;
@@ -38,12 +41,18 @@ struct Block {
 // Pairs (i, j), i < j, whose comparisons in this order sort `size` numbers (Batcher's odd-even merge).
 std::vector<std::pair<std::uint16_t, std::uint16_t>> sorting_network(std::size_t size);
 
-// The largest similarity k / S_k or k^2 / (n S_k) over all k, given the distances in rising order.
-double similarity_bound(const float* rising, std::size_t count, Method method, std::size_t regions);
+// One region of the query, as the kernel wants it. With codes c and q about zero_code, half the squared
+// distance is |c|^2/2 - q.c + |q|^2/2; in 16 bits, halves rounded down.
+struct ScreenRegion {
+  std::array<std::int16_t, code_bytes / 2> minus_pairs{};  // -q in signed bytes, two in each
+  std::int16_t descriptor_rest = 0;                        // what to add to |c|^2/2 - q.(c + zero_code)
+  std::int16_t position_limit = 0;  // of the same for positions: constraint 1 fails for certain from here on
+  float error = 0;                  // of both codes, in distance codes
+  std::uint8_t first_column = 0;    // that may hold admissible candidates
+  std::uint8_t last_column = 0;
+};
 
-// What screening knows of the query: for each region and each of the eight code numbers a table over its
-// sixteen values. Those of the directions add up, saturating, to a lower bound of the squared distance, those
-// of column and row to 128 or more where constraint 1 fails for certain.
+// What screening knows of the query.
 class ScreenQuery {
  public:
   // The query has at least one region and can_be_bounded.
@@ -55,49 +64,16 @@ class ScreenQuery {
   // A bit for each image that passes.
   [[nodiscard]] std::uint64_t passing(const Block& block);
 
-  using Tables = std::array<std::array<std::uint8_t, levels>, code_numbers>;
-  struct Columns {
-    std::uint8_t first = 0;
-    std::uint8_t last = 0;
-  };
-
   // For the kernel.
-  std::vector<Tables> tables;            // by query region
-  std::vector<Columns> columns;          // that may hold admissible candidates
-  std::vector<std::uint16_t> limits;     // of S_k, k = 1, 2, ..., in units of the distance codes
-  std::array<std::uint8_t, 48> roots{};  // distance codes: see set_scale
+  std::vector<ScreenRegion> regions;  // by column
+  float scale = 0;                    // distance codes (0 .. 255, all the same above) in a step
+  std::vector<std::uint16_t> limits;  // of S_k, k = 1, 2, ..., in distance codes
   std::vector<std::pair<std::uint16_t, std::uint16_t>> network;
-  std::vector<std::uint8_t> work;
-
- private:
-  void set_scale(double clip);
-
-  Method method_;
-  std::vector<Projection> projections_;
-  double clip_ = 0;  // the distance from which on all count the same
-};
-
-// The query's regions in columns of single-precision numbers, padded to a whole number of vectors.
-struct QueryLanes {
-  std::size_t count = 0;
-  std::vector<float> x, y;
-  std::array<std::vector<float>, feature_count> descriptor;
-  float squared_radius = 0;  // rounded up
-};
-QueryLanes make_lanes(const Signature& query, const MatchConfig& config);
-
-// The largest similarity that the nearest distances allow (constraint 1, but not 2), in single precision,
-// rounded up.
-class NearestBound {
- public:
-  NearestBound(const Signature& query, const MatchConfig& config);
-  [[nodiscard]] double operator()(const Signature& candidate);
 
  private:
   Method method_;
-  QueryLanes lanes_;
-  std::vector<std::pair<std::uint16_t, std::uint16_t>> network_;
-  std::vector<float> nearest_;
+  std::vector<double> errors_;  // of the codes of `regions`
+  std::vector<std::uint8_t> work_;
 };
 
 }  // namespace sailmap::index
