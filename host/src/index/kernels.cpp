@@ -15,7 +15,7 @@ namespace sailmap::index {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET == HWY_SCALAR
 
-std::uint64_t screen(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
+Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
   return plain::screen(block, query, work);
 }
 
@@ -51,29 +51,32 @@ HWY_INLINE PairVector dot(PairVector codes, PairVector signed_bytes) {
 #endif
 }
 
-// The two bytes' squares about zero_code, summed.
-HWY_INLINE PairVector squares(PairVector codes) {
+// The two bytes' squares about zeros, summed.
+HWY_INLINE PairVector squares(PairVector codes, PairVector zeros) {
   const hn::Repartition<std::int8_t, Pairs> bytes;
-  const auto centred = hn::Sub(hn::BitCast(bytes, codes), hn::Set(bytes, zero_code));
+  const auto centred = hn::Sub(hn::BitCast(bytes, codes), hn::BitCast(bytes, zeros));
   const auto size = hn::BitCast(Pairs(), hn::Abs(centred));
   return dot(size, size);
 }
 
-// Half the squares |c|^2 of descriptor and position of each candidate; positions of empty slots are beyond
-// all reach. Rows of 64 numbers, descriptor and position for each slot.
-HWY_INLINE void half_squares(const Block& block, std::int16_t* out) {
+// Half the squares |c|^2 of descriptor and position of each candidate; positions of empty slots are beyond all limits.
+// Rows of 64 numbers, descriptor and position for each slot.
+HWY_INLINE void half_squares(const Block& block, std::int16_t position_zeros, std::int16_t* out) {
   const Pairs d;
-  constexpr std::int16_t nowhere = 24000;  // above any p of screen(), and no sum with it overflows
+  const PairVector zeros = hn::Set(d, zero_code * 0x0101);
+  const PairVector middle = hn::Set(d, position_zeros);
   for (std::size_t slot = 0; slot < block.slots(); ++slot) {
     const auto* row = reinterpret_cast<const std::int16_t*>(block.codes.data() + slot * Block::slot_bytes);
     for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(d)) {
-      const auto pair = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, row + i * block_images + lane); };
-      const auto sum = hn::Add(hn::Add(squares(pair(0)), squares(pair(1))), squares(pair(2)));
+      const auto square = [&](std::size_t i, PairVector about) HWY_ATTR {
+        return squares(hn::LoadU(d, row + i * block_images + lane), about);
+      };
+      const auto sum = hn::Add(hn::Add(square(0, zeros), square(1, zeros)), square(2, zeros));
       const auto count = hn::LoadU(d, block.counts.data() + lane);
       const auto filled = hn::Gt(count, hn::Set(d, static_cast<std::int16_t>(slot)));
-      const auto position = hn::ShiftRight<1>(squares(pair(3)));
+      const auto position = hn::ShiftRight<1>(square(3, middle));
       hn::StoreU(hn::ShiftRight<1>(sum), d, out + 2 * slot * block_images + lane);
-      hn::StoreU(hn::IfThenElse(filled, position, hn::Set(d, nowhere)), d,
+      hn::StoreU(hn::IfThenElse(filled, position, hn::Set(d, empty_slot)), d,
                  out + (2 * slot + 1) * block_images + lane);
     }
   }
@@ -81,14 +84,19 @@ HWY_INLINE void half_squares(const Block& block, std::int16_t* out) {
 
 // A region of the query in registers.
 struct Probe {
-  PairVector q0, q1, q2, q3, limit, least;
+  PairVector q0, q1, q2, q3, descriptor_rest, position_rest, limit, least;
 };
 
-HWY_INLINE Probe probe_of(const ScreenRegion& region) {
+HWY_INLINE Probe probe_of(const ScreenRegion& region, bool exact) {
   const Pairs d;
-  return {hn::Set(d, region.minus_pairs[0]), hn::Set(d, region.minus_pairs[1]),
-          hn::Set(d, region.minus_pairs[2]), hn::Set(d, region.minus_pairs[3]),
-          hn::Set(d, region.position_limit), hn::Set(d, INT16_MAX)};
+  return {hn::Set(d, region.minus_pairs[0]),
+          hn::Set(d, region.minus_pairs[1]),
+          hn::Set(d, region.minus_pairs[2]),
+          hn::Set(d, region.minus_pairs[3]),
+          hn::Set(d, region.descriptor_rest),
+          hn::Set(d, region.position_rest),
+          hn::Set(d, region.position_limits[exact ? 0 : 1]),
+          hn::Set(d, INT16_MAX)};
 }
 
 // Distance codes from half the squared distances in code steps: rounded down, less the codes' errors.
@@ -112,10 +120,12 @@ HWY_INLINE void store_distances(PairVector half_squared, const ScreenRegion& reg
 // The least bounds over all slots, a distance code for each image, for two regions of the query at a time (so
 // that each candidate is loaded once for both).
 HWY_INLINE void least_bounds(const Block& block, const ScreenRegion& first, const ScreenRegion& second,
-                             const std::int16_t* half, float scale, std::size_t lane, std::uint8_t* out) {
+                             const std::int16_t* half, float scale, bool exact, std::size_t lane,
+                             std::uint8_t* out) {
   const Pairs d;
-  Probe a = probe_of(first);
-  Probe b = probe_of(second);
+  Probe a = probe_of(first, exact);
+  Probe b = probe_of(second, exact);
+  const PairVector none = hn::Set(d, INT16_MAX);
   const std::uint8_t first_column = std::min(first.first_column, second.first_column);
   const std::uint8_t last_column = std::max(first.last_column, second.last_column);
   for (std::size_t slot = 0; slot < block.slots(); ++slot) {
@@ -127,65 +137,73 @@ HWY_INLINE void least_bounds(const Block& block, const ScreenRegion& first, cons
     const PairVector c3 = hn::LoadU(d, row + 3 * block_images + lane);
     const PairVector descriptor = hn::LoadU(d, half + 2 * slot * block_images + lane);
     const PairVector position = hn::LoadU(d, half + (2 * slot + 1) * block_images + lane);
-    const auto improve = [&](Probe& probe, PairVector rest) HWY_ATTR {
-      // Sums wrap around; where the end of them does, the bound is negative and counts as 0.
-      const auto distance = hn::Add(hn::Add(hn::Add(descriptor, rest), dot(c0, probe.q0)),
+    const auto improve = [&](Probe& probe) HWY_ATTR {
+      // Sums wrap around on the way; where the end of them does, the bound is negative and counts as 0.
+      const auto distance = hn::Add(hn::Add(hn::Add(descriptor, probe.descriptor_rest), dot(c0, probe.q0)),
                                     hn::Add(dot(c1, probe.q1), dot(c2, probe.q2)));
-      const auto near = hn::Lt(hn::Add(position, dot(c3, probe.q3)), probe.limit);
-      probe.least = hn::Min(probe.least, hn::IfThenElse(near, distance, hn::Set(d, INT16_MAX)));
+      const auto offset = hn::Add(hn::Add(position, probe.position_rest), dot(c3, probe.q3));
+      probe.least = hn::Min(probe.least, hn::IfThenElse(hn::Lt(offset, probe.limit), distance, none));
     };
-    improve(a, hn::Set(d, first.descriptor_rest));
-    improve(b, hn::Set(d, second.descriptor_rest));
+    improve(a);
+    improve(b);
   }
   store_distances(a.least, first, scale, out);
   store_distances(b.least, second, scale, out + block_images);
 }
 
 // Which images have a k for which the k smallest of their bounds (rows of `bounds`, sorted) keep the limit.
-HWY_INLINE std::uint64_t within_limits(const std::uint8_t* bounds, const ScreenQuery& query) {
+HWY_INLINE void within_limits(const std::uint8_t* bounds, const ScreenQuery& query, std::size_t lane,
+                              Passing& passing) {
   const Bytes d;
   const hn::RepartitionToWide<Bytes> d16;
   const hn::Half<Bytes> dh;
-  const std::size_t lanes = hn::Lanes(d);
-  auto low_sum = hn::Zero(d16);
-  auto high_sum = hn::Zero(d16);
-  auto low_excess = hn::Set(d16, 0xFFFF);
-  auto high_excess = low_excess;
+  using Sums = hn::Vec<decltype(d16)>;
+  Sums low_sum = hn::Zero(d16);
+  Sums high_sum = low_sum;
+  Sums low_excess[grades];
+  Sums high_excess[grades];
+  std::fill_n(low_excess, grades, hn::Set(d16, 0xFFFF));
+  std::fill_n(high_excess, grades, hn::Set(d16, 0xFFFF));
   for (std::size_t k = 0; k < query.limits.size(); ++k) {
-    const Vector bound = hn::LoadU(d, bounds + k * block_images);
-    const auto limit = hn::Set(d16, query.limits[k]);
+    const Vector bound = hn::LoadU(d, bounds + k * block_images + lane);
     low_sum = hn::SaturatedAdd(low_sum, hn::PromoteTo(d16, hn::LowerHalf(dh, bound)));
     high_sum = hn::SaturatedAdd(high_sum, hn::PromoteTo(d16, hn::UpperHalf(dh, bound)));
-    low_excess = hn::Min(low_excess, hn::SaturatedSub(low_sum, limit));
-    high_excess = hn::Min(high_excess, hn::SaturatedSub(high_sum, limit));
+    for (std::size_t grade = 0; grade < grades; ++grade) {
+      const Sums limit = hn::Set(d16, query.limits[k][grade]);
+      low_excess[grade] = hn::Min(low_excess[grade], hn::SaturatedSub(low_sum, limit));
+      high_excess[grade] = hn::Min(high_excess[grade], hn::SaturatedSub(high_sum, limit));
+    }
   }
-  std::uint8_t bits[16] = {};
-  const auto bits_of = [&](auto excess) HWY_ATTR {
-    std::fill(std::begin(bits), std::end(bits), std::uint8_t{0});
-    hn::StoreMaskBits(d16, hn::Eq(excess, hn::Zero(d16)), bits);
+  const auto bits_of = [&](Sums excess) HWY_ATTR {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d16, hn::Eq(excess, hn::Zero(d16)), bytes);
     std::uint64_t out = 0;
-    for (std::size_t i = 0; i < 4; ++i) out |= static_cast<std::uint64_t>(bits[i]) << (8 * i);
+    for (std::size_t i = 0; i < 4; ++i) out |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
     return out;
   };
-  return bits_of(low_excess) | (bits_of(high_excess) << (lanes / 2));
+  for (std::size_t grade = 0; grade < grades; ++grade) {
+    passing[grade] |= bits_of(low_excess[grade]) << lane;
+    passing[grade] |= bits_of(high_excess[grade]) << (lane + hn::Lanes(d16));
+  }
 }
 
 }  // namespace
 
-std::uint64_t screen(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
+Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
   const Bytes d;
   const std::size_t regions = query.regions.size();
   std::uint8_t* bounds = work;
   auto* half = reinterpret_cast<std::int16_t*>(work + (regions + 1) * block_images);
-  half_squares(block, half);
+  half_squares(block, query.position_zeros, half);
+  const bool exact = query.exact_positions && block.exact_positions;
   for (std::size_t i = 0; i < regions; i += 2) {
     const ScreenRegion& second = query.regions[std::min(i + 1, regions - 1)];
     for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(Pairs())) {
-      least_bounds(block, query.regions[i], second, half, query.scale, lane,
+      least_bounds(block, query.regions[i], second, half, query.scale, exact, lane,
                    bounds + i * block_images + lane);
     }
   }
-  std::uint64_t passing = 0;
+  Passing passing{};
   for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(d)) {
     for (const auto& [i, j] : query.network) {
       const Vector a = hn::LoadU(d, bounds + i * block_images + lane);
@@ -193,7 +211,7 @@ std::uint64_t screen(const Block& block, const ScreenQuery& query, std::uint8_t*
       hn::StoreU(hn::Min(a, b), d, bounds + i * block_images + lane);
       hn::StoreU(hn::Max(a, b), d, bounds + j * block_images + lane);
     }
-    passing |= within_limits(bounds + lane, query) << lane;
+    within_limits(bounds, query, lane, passing);
   }
   return passing;
 }
@@ -330,7 +348,7 @@ std::size_t work_bytes(std::size_t slots, std::size_t regions) {
   return (regions + 1 + 4 * slots) * block_images;
 }
 
-std::uint64_t screen_block(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
+Passing screen_block(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
   return HWY_DYNAMIC_DISPATCH(screen)(block, query, work);
 }
 

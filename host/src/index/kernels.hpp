@@ -9,13 +9,16 @@
 
 namespace sailmap::index {
 
-// A bit for each image of the block that passes. `work` holds at least work_bytes(slots, regions).
-std::uint64_t screen_block(const Block& block, const ScreenQuery& query, std::uint8_t* work);
+// See ScreenQuery::passing. `work` holds at least work_bytes(slots, regions).
+Passing screen_block(const Block& block, const ScreenQuery& query, std::uint8_t* work);
 std::size_t work_bytes(std::size_t slots, std::size_t regions);
 
 // Both constraints. `work.numbers` holds 3 * lanes.x.size() numbers, the rest grows as needed.
 ConsistentMatches consistent_matches(const QueryLanes& lanes, const Region* candidates, std::size_t count,
                                      EstimateWork& work);
+
+// Half the squared position code, about the middle, of an empty slot: above all limits, whatever is added.
+inline constexpr std::int16_t empty_slot = INT16_MAX;
 
 // Two squared distances within this part of each other are too near for single precision to order.
 inline constexpr float ambiguous_part = 1e-5F;

@@ -1,7 +1,10 @@
 #include "sailmap/place_index.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdint>
+#include <span>
 
 #include "estimate.hpp"
 #include "leaders.hpp"
@@ -39,11 +42,14 @@ class Search {
     std::size_t at_once = 1;
     for (std::size_t begin = 0; begin < blocks.size();) {
       const std::size_t end = std::min(blocks.size(), begin + at_once);
-      for (std::size_t b = begin; b < end; ++b) gather(entries, blocks[b], b * block_images);
-      compare_gathered();
+      for (std::size_t b = begin; b < end; ++b) sift(entries, blocks[b], b * block_images);
+      compare_all(promising_);
+      promising_.clear();
+      raise_threshold();
       begin = end;
       at_once = std::min(2 * at_once, most_blocks_at_once);
     }
+    compare_deferred();
   }
 
   [[nodiscard]] Ranking ranking() const { return leaders_.ranking(nodes_); }
@@ -51,41 +57,68 @@ class Search {
  private:
   struct Promising {
     PlaceIndex::Entry entry;
+    double bound = 0;  // of the similarity
     const Signature* signature = nullptr;
-    double bound = 0;
   };
+  static bool by_bound(const Promising& a, const Promising& b) { return a.bound > b.bound; }
 
-  void gather(const std::vector<PlaceIndex::Entry>& entries, const index::Block& block, std::size_t first) {
-    std::uint64_t passing = ~std::uint64_t{0};
+  void raise_threshold() {
+    const double threshold = leaders_.threshold();
+    if (threshold <= grade_bounds_.front()) return;
+    screen_.set_threshold(threshold);
+    double bound = threshold;
+    for (double& grade_bound : grade_bounds_) {
+      grade_bound = bound;
+      bound *= index::grade_ratio;
+    }
+  }
+
+  // Entries that may be far better than what is known are to be compared soon; others that pass wait until
+  // all have been seen, when most of them no longer matter.
+  void sift(const std::vector<PlaceIndex::Entry>& entries, const index::Block& block, std::size_t first) {
+    index::Passing passing;
+    passing.fill(~std::uint64_t{0});
     if (leaders_.threshold() > 0) passing = screen_.passing(block);
-    for (; passing != 0; passing &= passing - 1) {
-      const std::size_t e = first + static_cast<std::size_t>(std::countr_zero(passing));
-      if (e < entries.size() && entries[e].node < nodes_) gathered_.push_back({entries[e]});
+    for (std::uint64_t left = passing.front(); left != 0; left &= left - 1) {
+      const auto lane = static_cast<unsigned>(std::countr_zero(left));
+      const std::size_t e = first + lane;
+      if (e >= entries.size() || entries[e].node >= nodes_) continue;
+      std::size_t grade = 1;
+      while (grade < index::grades && ((passing[grade] >> lane) & 1U) != 0) ++grade;
+      if (grade == index::grades) {
+        promising_.push_back({entries[e]});
+      } else {
+        deferred_.push_back({entries[e], grade_bounds_[grade]});
+      }
     }
   }
 
   // In steps over all of them, so that they wait for memory together.
-  void compare_gathered() {
-    for (Promising& p : gathered_) {
+  void compare_all(std::span<Promising> entries) {
+    for (Promising& p : entries) {
       p.signature = &signature_of_(p.entry);
       __builtin_prefetch(p.signature);
     }
-    for (const Promising& p : gathered_) {
+    for (const Promising& p : entries) {
       const auto* bytes = reinterpret_cast<const char*>(p.signature->regions.data());
       for (std::size_t at = 0; at < p.signature->regions.size() * sizeof(Region); at += 64) {
         __builtin_prefetch(bytes + at);
       }
     }
-    for (Promising& p : gathered_) p.bound = estimate_(*p.signature);
-    std::sort(gathered_.begin(), gathered_.end(),
-              [](const Promising& a, const Promising& b) { return a.bound > b.bound; });
-    const double before = leaders_.threshold();
-    for (const Promising& p : gathered_) {
+    for (Promising& p : entries) p.bound = estimate_(*p.signature);
+    std::sort(entries.begin(), entries.end(), by_bound);
+    for (const Promising& p : entries) {
       if (p.bound <= 0 || p.bound < leaders_.threshold()) break;
       leaders_.add({p.entry.node, match(query_, *p.signature, config_).similarity});
     }
-    gathered_.clear();
-    if (leaders_.threshold() > before) screen_.set_threshold(leaders_.threshold());
+  }
+
+  void compare_deferred() {
+    std::sort(deferred_.begin(), deferred_.end(), by_bound);
+    for (std::size_t begin = 0; begin < deferred_.size(); begin += block_images) {
+      if (deferred_[begin].bound < leaders_.threshold()) break;
+      compare_all(std::span(deferred_).subspan(begin, std::min(block_images, deferred_.size() - begin)));
+    }
   }
 
   const Signature& query_;
@@ -95,7 +128,9 @@ class Search {
   index::Leaders leaders_;
   index::ScreenQuery screen_;
   index::Estimator estimate_;
-  std::vector<Promising> gathered_;
+  std::vector<Promising> promising_;
+  std::vector<Promising> deferred_;
+  std::array<double, index::grades> grade_bounds_{};
 };
 
 }  // namespace

@@ -12,51 +12,70 @@
 
 namespace sailmap::index::plain {
 
-// Half the squared distance of two codes [begin, end), rounded down as the vectorised kernels do.
+// Half the squared size of a candidate's codes about their zeros, rounded down, less their product with the
+// query's: half the squared distance, less half the square of the query's.
 inline int half_distance(const Block& block, std::size_t slot, std::size_t lane, const ScreenRegion& region,
-                         std::size_t begin, std::size_t end) {
+                         std::size_t begin, const std::vector<int>& zeros) {
   int square = 0;
   int product = 0;
-  for (std::size_t i = begin; i < end; ++i) {
+  for (std::size_t i = begin; i < begin + zeros.size(); ++i) {
     const std::size_t row = slot * Block::slot_bytes + i / 2 * Block::row_bytes;
-    const int c = block.codes[row + 2 * lane + i % 2];
+    const int c = block.codes[row + 2 * lane + i % 2] - zeros[i - begin];
     const auto pair = static_cast<std::uint16_t>(region.minus_pairs[i / 2]);
     const auto minus_q = static_cast<std::int8_t>(i % 2 == 0 ? pair & 0xFFU : pair >> 8U);
-    square += (c - zero_code) * (c - zero_code);
+    square += c * c;
     product += c * minus_q;
   }
   return square / 2 + product;
 }
 
-inline std::uint8_t least_bound(const Block& block, const ScreenRegion& region, float scale,
+inline int half_square_of_descriptor(const ScreenRegion& region) {
+  int square = 0;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const auto pair = static_cast<std::uint16_t>(region.minus_pairs[i / 2]);
+    const auto q = static_cast<std::int8_t>(i % 2 == 0 ? pair & 0xFFU : pair >> 8U);
+    square += q * q;
+  }
+  return square / 2;
+}
+
+inline std::uint8_t least_bound(const Block& block, const ScreenQuery& query, const ScreenRegion& region,
                                 std::size_t lane) {
-  int least = INT16_MAX;
+  const auto pair = static_cast<std::uint16_t>(query.position_zeros);
+  const std::vector<int> position_zeros = {static_cast<int>(pair & 0xFFU), static_cast<int>(pair >> 8U)};
+  const std::vector<int> descriptor_zeros(directions, zero_code);
+  const bool exact = query.exact_positions && block.exact_positions;
   const auto count = static_cast<std::size_t>(block.counts[lane]);
+  int least = INT16_MAX;
   for (std::size_t slot = 0; slot < count; ++slot) {
-    if (half_distance(block, slot, lane, region, directions, code_bytes) >= region.position_limit) continue;
-    const int wide = half_distance(block, slot, lane, region, 0, directions) + region.descriptor_rest;
-    least = std::min<int>(least, static_cast<std::int16_t>(wide));
+    const int offset = half_distance(block, slot, lane, region, directions, position_zeros);
+    if (offset >= region.position_limits[exact ? 0 : 1]) continue;
+    const int distance =
+        half_distance(block, slot, lane, region, 0, descriptor_zeros) + half_square_of_descriptor(region);
+    least = std::min<int>(least, static_cast<std::int16_t>(distance));
   }
   const auto squared = static_cast<float>(std::max(least, 0));
-  const float code = std::sqrt(squared + squared) * scale - region.error;
+  const float code = std::sqrt(squared + squared) * query.scale - region.error;
   return static_cast<std::uint8_t>(std::clamp(code, 0.0F, 255.0F));
 }
 
-inline std::uint64_t screen(const Block& block, const ScreenQuery& query, std::uint8_t* /*work*/) {
-  std::uint64_t passing = 0;
+inline Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* /*work*/) {
+  Passing passing{};
   std::vector<int> bounds(query.regions.size());
   for (std::size_t lane = 0; lane < block_images; ++lane) {
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-      bounds[i] = least_bound(block, query.regions[i], query.scale, lane);
+      bounds[i] = least_bound(block, query, query.regions[i], lane);
     }
     std::sort(bounds.begin(), bounds.end());
-    int sum = 0;
-    bool passes = false;
-    for (std::size_t k = 0; k < bounds.size(); ++k) {
-      sum = std::min(sum + bounds[k], 65535);
-      passes = passes || sum <= query.limits[k];
+    for (std::size_t grade = 0; grade < grades; ++grade) {
+      int sum = 0;
+      bool passes = false;
+      for (std::size_t k = 0; k < bounds.size(); ++k) {
+        sum = std::min(sum + bounds[k], 65535);
+        passes = passes || sum <= query.limits[k][grade];
+      }
+      passing[grade] |= static_cast<std::uint64_t>(passes) << lane;
     }
-    passing |= static_cast<std::uint64_t>(passes) << lane;
   }
   return passing;
 }

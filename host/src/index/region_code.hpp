@@ -18,26 +18,37 @@ using Projection = std::array<double, directions>;
 // which brings none further apart), but for rounding below 1e-9.
 Projection project(const Descriptor& descriptor);
 
-// Codes are 0 .. 127, in steps of `step`, 64 standing for 0; what lies beyond counts as the outermost, which
-// brings none further apart either.
+// Codes of directions are 0 .. 127, in steps of `step`, 64 standing for 0; what lies beyond counts as the
+// outermost, which brings none further apart either.
 inline constexpr double step = 0.01123;  // 127 of them span the +-sqrt(1/2) of a kind with two numbers
 inline constexpr int zero_code = 64;
 inline constexpr int last_code = 127;
 
-// Six directions, then column and row: positions divided by position_step, 64 standing for the middle of
-// the image.
+// Columns and rows are counted in `step` pixels from a middle pixel, whose codes are the zeros: 4 pixels,
+// which is exact for regions on the base level, unless the image is too large for the kernel's 16 bits.
+struct PositionGrid {
+  PositionGrid(int width, int height);
+  double step = 4;
+  std::array<int, 2> middle{};  // x, y
+  std::array<int, 2> zeros{};
+};
+inline constexpr int longest_diagonal = 254;  // in codes
+
+// Six directions, then column and row.
 inline constexpr std::size_t code_bytes = directions + 2;
 using RegionCode = std::array<std::uint8_t, code_bytes>;
-RegionCode encode(const Region& region, int width, int height);
-double position_step(int width, int height);
+RegionCode encode(const Region& region, const PositionGrid& grid);
+
+// Whether the code stands for exactly the region's position.
+bool is_exact(const Region& region, const PositionGrid& grid);
 
 // How far, in descriptor distance, a descriptor is from what its code stands for: less than this, and
 // exactly.
 inline constexpr double largest_code_error = 0.01376;  // step / 2 in each of six directions
 double code_error(const Descriptor& descriptor, const RegionCode& code);
 
-// All numbers finite and small enough that no arithmetic on them in single precision overflows. Other
-// signatures are compared exactly.
+// Not too many regions, all numbers finite and small enough that no arithmetic on them in single precision
+// overflows. Other signatures are compared exactly.
 bool can_be_bounded(const Signature& signature);
 
 }  // namespace sailmap::index

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <initializer_list>
 
 #include "kernels.hpp"
 
@@ -11,50 +11,59 @@ namespace {
 
 // Bounds are rounded to their safe side by this part of themselves, far above what double precision loses.
 constexpr double slack = 1e-6;
-double search_radius(const Signature& query, const MatchConfig& config) {
-  return config.search_radius * std::hypot(query.width, query.height);
-}
 
-// -q in two signed bytes.
-std::int16_t minus_pair(int first, int second) {
-  const auto low = static_cast<std::uint8_t>(zero_code - first);
-  const auto high = static_cast<std::uint8_t>(zero_code - second);
+// Two bytes, signed or not, in one number.
+std::int16_t pair_of(int first, int second) {
+  const auto low = static_cast<std::uint8_t>(first);
+  const auto high = static_cast<std::uint8_t>(second);
   return static_cast<std::int16_t>(low | (high << 8));
 }
 
-// |q|^2 / 2, rounded down, and the sum of q, of the codes [begin, end).
+// Of codes q about their zeros: |q|^2 / 2, rounded down, and the product of q with the zeros.
 struct Moments {
   int half_square = 0;
-  int sum = 0;
+  int product = 0;
 };
-Moments moments(const RegionCode& code, std::size_t begin, std::size_t end) {
+Moments moments(const RegionCode& code, std::size_t begin, std::initializer_list<int> zeros) {
   Moments out;
-  for (std::size_t i = begin; i < end; ++i) {
-    const int q = code[i] - zero_code;
+  for (const int zero : zeros) {
+    const int q = code[begin] - zero;
     out.half_square += q * q;
-    out.sum += q;
+    out.product += q * zero;
+    ++begin;
   }
   out.half_square /= 2;
   return out;
 }
 
-// `radius` in steps of position codes, both of which may be off by half in each direction.
-ScreenRegion screen_region(const RegionCode& code, double radius) {
+// `radius` and `error` in steps of position codes.
+std::int16_t position_limit(double radius, double error, int half_square) {
+  constexpr double all = longest_diagonal * longest_diagonal / 2;
+  const double reach = radius + error + slack;
+  return static_cast<std::int16_t>(static_cast<int>(std::min(reach * reach / 2, all)) + 1 - half_square);
+}
+
+// `radius` in pixels.
+ScreenRegion screen_region(const RegionCode& code, const PositionGrid& grid, double radius) {
   ScreenRegion out;
-  for (std::size_t i = 0; i < code_bytes / 2; ++i) {
-    out.minus_pairs[i] = minus_pair(code[2 * i], code[2 * i + 1]);
+  for (std::size_t i = 0; i < directions / 2; ++i) {
+    out.minus_pairs[i] = pair_of(zero_code - code[2 * i], zero_code - code[2 * i + 1]);
   }
-  const Moments descriptor = moments(code, 0, directions);
-  out.descriptor_rest = static_cast<std::int16_t>(descriptor.half_square + zero_code * descriptor.sum);
-  const Moments position = moments(code, directions, code_bytes);
-  constexpr double all = last_code * last_code;  // half the squared diagonal of the codes
-  const double reach = radius + std::sqrt(2.0) + slack;
-  const int limit = static_cast<int>(std::min(reach * reach / 2, all));
-  out.position_limit = static_cast<std::int16_t>(limit + 1 - position.half_square - zero_code * position.sum);
-  const double column = code[directions];
-  const double columns = std::min(radius + 1 + slack, 2.0 * last_code);
-  out.first_column = static_cast<std::uint8_t>(std::max(0.0, std::ceil(column - columns)));
-  out.last_column = static_cast<std::uint8_t>(std::min(double{last_code}, column + columns));
+  const int column = code[directions];
+  const int row = code[directions + 1];
+  out.minus_pairs[directions / 2] = pair_of(grid.zeros[0] - column, grid.zeros[1] - row);
+  const Moments descriptor =
+      moments(code, 0, {zero_code, zero_code, zero_code, zero_code, zero_code, zero_code});
+  out.descriptor_rest = static_cast<std::int16_t>(descriptor.half_square + descriptor.product);
+  const Moments position = moments(code, directions, {grid.zeros[0], grid.zeros[1]});
+  out.position_rest = static_cast<std::int16_t>(position.product);
+  const double off = std::sqrt(2.0);  // both codes, by half in each direction
+  const double reach = radius / grid.step;
+  out.position_limits = {position_limit(reach, 0, position.half_square),
+                         position_limit(reach, off, position.half_square)};
+  const double columns = std::min(reach + off, 255.0);
+  out.first_column = static_cast<std::uint8_t>(std::max(0.0, std::floor(column - columns)));
+  out.last_column = static_cast<std::uint8_t>(std::min(255.0, std::ceil(column + columns)));
   return out;
 }
 
@@ -68,11 +77,13 @@ double limit(std::size_t k, Method method, std::size_t regions, double similarit
 }  // namespace
 
 void Block::add(std::size_t lane, const Signature& signature) {
+  const PositionGrid grid(signature.width, signature.height);
   const std::size_t count = signature.regions.size();
   std::vector<RegionCode> regions;
   regions.reserve(count);
   for (const Region& region : signature.regions) {
-    regions.push_back(encode(region, signature.width, signature.height));
+    regions.push_back(encode(region, grid));
+    exact_positions = exact_positions && is_exact(region, grid);
   }
   const auto column = [](const RegionCode& code) { return code[directions]; };
   std::sort(regions.begin(), regions.end(),
@@ -81,9 +92,9 @@ void Block::add(std::size_t lane, const Signature& signature) {
     columns.reserve(count);
     columns.resize(count);
     codes.reserve(count * slot_bytes);  // exactly: growth by doubling would waste memory
-    codes.resize(count * slot_bytes, zero_code);
+    codes.resize(count * slot_bytes);
   }
-  counts[lane] = static_cast<std::int16_t>(std::min<std::size_t>(count, INT16_MAX));
+  counts[lane] = static_cast<std::int16_t>(count);
   for (std::size_t slot = 0; slot < count; ++slot) {
     for (std::size_t byte = 0; byte < code_bytes; ++byte) {
       const std::size_t row = slot * slot_bytes + byte / 2 * row_bytes;
@@ -96,8 +107,8 @@ void Block::add(std::size_t lane, const Signature& signature) {
 
 std::size_t Block::memory() const { return codes.capacity() + columns.capacity() * sizeof(Columns); }
 
-std::vector<std::pair<std::uint16_t, std::uint16_t>> sorting_network(std::size_t size) {
-  std::vector<std::pair<std::uint16_t, std::uint16_t>> network;
+SortingNetwork sorting_network(std::size_t size) {
+  SortingNetwork network;
   for (std::size_t p = 1; p < size; p *= 2) {
     for (std::size_t k = p; k >= 1; k /= 2) {
       for (std::size_t j = k % p; j + k < size; j += 2 * k) {
@@ -113,13 +124,16 @@ std::vector<std::pair<std::uint16_t, std::uint16_t>> sorting_network(std::size_t
 
 ScreenQuery::ScreenQuery(const Signature& query, const MatchConfig& config)
     : limits(query.regions.size()), network(sorting_network(query.regions.size())), method_(config.method) {
-  const double radius = search_radius(query, config) / position_step(query.width, query.height);
+  const double radius = config.search_radius * std::hypot(query.width, query.height);
+  const PositionGrid grid(query.width, query.height);
+  position_zeros = pair_of(grid.zeros[0], grid.zeros[1]);
   std::vector<const Region*> order;
   for (const Region& region : query.regions) order.push_back(&region);
   std::sort(order.begin(), order.end(), [](const Region* a, const Region* b) { return a->x < b->x; });
   for (const Region* region : order) {
-    const RegionCode code = encode(*region, query.width, query.height);
-    regions.push_back(screen_region(code, radius));
+    const RegionCode code = encode(*region, grid);
+    regions.push_back(screen_region(code, grid, radius));
+    exact_positions = exact_positions && is_exact(*region, grid);
     errors_.push_back(largest_code_error + code_error(region->descriptor, code) + slack);
   }
 }
@@ -133,13 +147,16 @@ void ScreenQuery::set_threshold(double threshold) {
   for (std::size_t i = 0; i < regions.size(); ++i) {
     regions[i].error = static_cast<float>(errors_[i] * codes * (1 + slack));
   }
-  for (std::size_t k = 1; k <= limits.size(); ++k) {
-    const double most = limit(k, method_, regions.size(), threshold) * codes * (1 + slack);
-    limits[k - 1] = static_cast<std::uint16_t>(std::min(most, 65535.0));
+  for (std::size_t grade = 0; grade < grades; ++grade) {
+    const double similarity = threshold * std::pow(grade_ratio, static_cast<double>(grade));
+    for (std::size_t k = 1; k <= limits.size(); ++k) {
+      const double most = limit(k, method_, regions.size(), similarity) * codes * (1 + slack);
+      limits[k - 1][grade] = static_cast<std::uint16_t>(std::min(most, 65535.0));
+    }
   }
 }
 
-std::uint64_t ScreenQuery::passing(const Block& block) {
+Passing ScreenQuery::passing(const Block& block) {
   work_.resize(std::max(work_.size(), work_bytes(block.slots(), regions.size())));
   return screen_block(block, *this, work_.data());
 }
