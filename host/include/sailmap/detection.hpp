@@ -61,8 +61,8 @@ struct Detection {
 Ranking rank(const std::vector<Candidate>& candidates, int same_place_nodes);
 
 // `matches_with(node)` gives the matched regions; it is asked once, for the best node, if there is one.
-Detection decide(const Ranking& ranking, const DetectionConfig& config,
-                 const std::function<std::vector<RegionMatch>(int node)>& matches_with);
+Detection decide_ranked(const Ranking& ranking, const DetectionConfig& config,
+                        const std::function<std::vector<RegionMatch>(int node)>& matches_with);
 
 // Ranks the candidates and decides.
 Detection decide(const std::vector<Candidate>& candidates, const DetectionConfig& config,

@@ -59,8 +59,8 @@ HWY_INLINE PairVector squares(PairVector codes, PairVector zeros) {
   return dot(size, size);
 }
 
-// Half the squares |c|^2 of descriptor and position of each candidate; positions of empty slots are beyond all limits.
-// Rows of 64 numbers, descriptor and position for each slot.
+// Half the squares |c|^2 of descriptor and position of each candidate; positions of empty slots are beyond
+// all limits. Rows of 64 numbers, descriptor and position for each slot.
 HWY_INLINE void half_squares(const Block& block, std::int16_t position_zeros, std::int16_t* out) {
   const Pairs d;
   const PairVector zeros = hn::Set(d, zero_code * 0x0101);

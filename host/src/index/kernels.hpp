@@ -17,7 +17,8 @@ std::size_t work_bytes(std::size_t slots, std::size_t regions);
 ConsistentMatches consistent_matches(const QueryLanes& lanes, const Region* candidates, std::size_t count,
                                      EstimateWork& work);
 
-// Half the squared position code, about the middle, of an empty slot: above all limits, whatever is added.
+// Half the squared position code of an empty slot, whose position is the zeros: what is added to it comes to
+// nothing, and it is above all limits.
 inline constexpr std::int16_t empty_slot = INT16_MAX;
 
 // Two squared distances within this part of each other are too near for single precision to order.

@@ -74,6 +74,14 @@ double limit(std::size_t k, Method method, std::size_t regions, double similarit
   return weight * matched / similarity;
 }
 
+// With positions at their zeros, which the kernel's empty_slot counts on.
+void append_empty_slot(std::vector<std::uint8_t>& codes, const PositionGrid& grid) {
+  codes.resize(codes.size() + directions * block_images);
+  for (std::size_t lane = 0; lane < block_images; ++lane) {
+    for (const int zero : grid.zeros) codes.push_back(static_cast<std::uint8_t>(zero));
+  }
+}
+
 }  // namespace
 
 void Block::add(std::size_t lane, const Signature& signature) {
@@ -92,7 +100,7 @@ void Block::add(std::size_t lane, const Signature& signature) {
     columns.reserve(count);
     columns.resize(count);
     codes.reserve(count * slot_bytes);  // exactly: growth by doubling would waste memory
-    codes.resize(count * slot_bytes);
+    for (std::size_t slot = codes.size() / slot_bytes; slot < count; ++slot) append_empty_slot(codes, grid);
   }
   counts[lane] = static_cast<std::int16_t>(count);
   for (std::size_t slot = 0; slot < count; ++slot) {

@@ -60,8 +60,8 @@ Ranking rank(const std::vector<Candidate>& candidates, int same_place_nodes) {
   return out;
 }
 
-Detection decide(const Ranking& ranking, const DetectionConfig& config,
-                 const std::function<std::vector<RegionMatch>(int node)>& matches_with) {
+Detection decide_ranked(const Ranking& ranking, const DetectionConfig& config,
+                        const std::function<std::vector<RegionMatch>(int node)>& matches_with) {
   Detection out;
   if (ranking.best.node < 0) return out;
   out.best = ranking.best;
@@ -73,7 +73,7 @@ Detection decide(const Ranking& ranking, const DetectionConfig& config,
 
 Detection decide(const std::vector<Candidate>& candidates, const DetectionConfig& config,
                  const std::function<std::vector<RegionMatch>(int node)>& matches_with) {
-  return decide(rank(candidates, config.same_place_nodes), config, matches_with);
+  return decide_ranked(rank(candidates, config.same_place_nodes), config, matches_with);
 }
 
 }  // namespace sailmap

@@ -92,7 +92,7 @@ const Update& TopologicalMap::add(std::string name, Signature signature) {
   update.image = images();
   update.name = name;
   advance_admissible(update.image);
-  update.detection = decide(compare(signature), config_.detection, [&](int node) {
+  update.detection = decide_ranked(compare(signature), config_.detection, [&](int node) {
     return best_match(signature, nodes_[static_cast<std::size_t>(node)], config_.match).matches;
   });
   if (signature.regions.empty()) {
