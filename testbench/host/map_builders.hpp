@@ -12,12 +12,13 @@ namespace sailmap::testing {
 // A descriptor that is `value` in its first entry and 0 elsewhere: distances are differences of values.
 inline Descriptor level(double value) {
   Descriptor v{};
-  v[0] = value;
+  v[0] = static_cast<float>(value);
   return v;
 }
 
-inline Region region(double x, double y, double value, double saliency = 1) {
-  return {x, y, saliency, level(value)};
+inline Region region(int x, int y, double value, double saliency = 1) {
+  return {static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), static_cast<float>(saliency),
+          level(value)};
 }
 
 // Of a 300 x 400 image, whose diagonal is 500 pixels.

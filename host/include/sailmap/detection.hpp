@@ -38,6 +38,15 @@ struct DetectionConfig {
 struct Candidate {
   int node = -1;
   double similarity = 0;
+  bool operator==(const Candidate&) const = default;
+};
+
+// Of the admissible nodes the most similar, and the most similar of another place; the first in order on
+// ties.
+struct Ranking {
+  Candidate best;       // node -1 when there is none
+  Candidate runner_up;  // node -1 when there is none
+  bool operator==(const Ranking&) const = default;
 };
 
 struct Detection {
@@ -48,8 +57,14 @@ struct Detection {
   [[nodiscard]] bool accepted() const { return reason == Reason::accepted; }
 };
 
-// Picks best and runner-up among admissible nodes (the first in order on ties) and decides.
-// `matches_with(node)` gives the matched regions; it is asked once, for the best node.
+// Best and runner-up among candidates in the order of their nodes.
+Ranking rank(const std::vector<Candidate>& candidates, int same_place_nodes);
+
+// `matches_with(node)` gives the matched regions; it is asked once, for the best node, if there is one.
+Detection decide_ranked(const Ranking& ranking, const DetectionConfig& config,
+                        const std::function<std::vector<RegionMatch>(int node)>& matches_with);
+
+// Ranks the candidates and decides.
 Detection decide(const std::vector<Candidate>& candidates, const DetectionConfig& config,
                  const std::function<std::vector<RegionMatch>(int node)>& matches_with);
 

@@ -1,11 +1,14 @@
 // The topological map: nodes are places, edges say how the robot went or came back (spec 11).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "sailmap/detection.hpp"
+#include "sailmap/place_index.hpp"
 #include "sailmap/signature.hpp"
 #include "sailmap/similarity.hpp"
 
@@ -81,15 +84,21 @@ class TopologicalMap {
   [[nodiscard]] int loops() const;                      // accepted detections
 
  private:
-  [[nodiscard]] std::vector<Candidate> compare(const Signature& signature, int image) const;
+  void advance_admissible(int image);
+  [[nodiscard]] Ranking compare(const Signature& signature) const;
   [[nodiscard]] bool belongs_to_active(const Signature& signature) const;
-  void add_edge(int from, int to, EdgeKind kind);
+  void add_node(View view);
+  void add_view(int node, View view);
+  void add_loop(int from, int to);
 
   MapConfig config_;
   std::vector<Node> nodes_;
   std::vector<Edge> edges_;
   std::vector<Update> history_;
   int active_ = -1;
+  int admissible_ = 0;                            // nodes 0 .. admissible_ - 1 are older than exclude_recent
+  PlaceIndex index_;                              // all views
+  std::unordered_set<std::uint64_t> loop_edges_;  // both ends in one number, see topological_map.cpp
 };
 
 }  // namespace sailmap

@@ -57,7 +57,8 @@ cv::Mat shade(const Map& map) {
 
 cv::Rect image_box(const Region& region, const Signature& signature, int box_side) {
   constexpr int scale = hls::geometry::base_scale;
-  const Peak peak{cvRound(region.x / scale), cvRound(region.y / scale), region.saliency};
+  const auto base = [](int position) { return cvRound(static_cast<double>(position) / scale); };
+  const Peak peak{base(region.x), base(region.y), region.saliency};
   const Box box = region_box(peak, box_side, hls::geometry::base_side(signature.width),
                              hls::geometry::base_side(signature.height));
   const cv::Rect whole(0, 0, signature.width, signature.height);

@@ -1,5 +1,8 @@
 #include "config_json.hpp"
 
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "sailmap/error.hpp"
@@ -99,13 +102,36 @@ ordered_json to_json(const Signature& signature) {
   return {{"width", signature.width}, {"height", signature.height}, {"regions", std::move(regions)}};
 }
 
+namespace {
+
+std::int16_t coordinate_from_json(const ordered_json& json) {
+  const auto value = json.get<double>();
+  if (!(value >= 0 && value <= std::numeric_limits<std::int16_t>::max()) || value != std::floor(value)) {
+    throw Error("a region's position is not a pixel of the image: " + json.dump());
+  }
+  return static_cast<std::int16_t>(value);
+}
+
+float single_from_json(const ordered_json& json) {
+  const auto value = json.get<double>();
+  if (!(std::abs(value) <= std::numeric_limits<float>::max())) {
+    throw Error("a region's number is out of range: " + json.dump());
+  }
+  return static_cast<float>(value);
+}
+
+}  // namespace
+
 Signature signature_from_json(const ordered_json& json) {
   Signature signature{json.at("width").get<int>(), json.at("height").get<int>(), {}};
   for (const auto& region : json.at("regions")) {
     const auto& descriptor = region.at("descriptor");
     if (descriptor.size() != feature_count) throw Error("a descriptor has not ten numbers");
-    signature.regions.push_back({region.at("x").get<double>(), region.at("y").get<double>(),
-                                 region.at("saliency").get<double>(), descriptor.get<Descriptor>()});
+    Region& out = signature.regions.emplace_back(Region{coordinate_from_json(region.at("x")),
+                                                        coordinate_from_json(region.at("y")),
+                                                        single_from_json(region.at("saliency")),
+                                                        {}});
+    for (std::size_t i = 0; i < feature_count; ++i) out.descriptor[i] = single_from_json(descriptor.at(i));
   }
   return signature;
 }

@@ -44,23 +44,36 @@ Reason reason_from_name(std::string_view name) {
 
 double default_threshold(Method method) { return method == Method::paper ? DetectionConfig{}.threshold : 3; }
 
-Detection decide(const std::vector<Candidate>& candidates, const DetectionConfig& config,
-                 const std::function<std::vector<RegionMatch>(int node)>& matches_with) {
-  Detection out;
+Ranking rank(const std::vector<Candidate>& candidates, int same_place_nodes) {
+  Ranking out;
   if (candidates.empty()) return out;
   out.best = candidates.front();
   for (const Candidate& candidate : candidates) {
     if (candidate.similarity > out.best.similarity) out.best = candidate;
   }
   for (const Candidate& candidate : candidates) {
-    const bool other_place = std::abs(candidate.node - out.best.node) > config.same_place_nodes;
+    const bool other_place = std::abs(candidate.node - out.best.node) > same_place_nodes;
     if (other_place && (out.runner_up.node < 0 || candidate.similarity > out.runner_up.similarity)) {
       out.runner_up = candidate;
     }
   }
+  return out;
+}
+
+Detection decide_ranked(const Ranking& ranking, const DetectionConfig& config,
+                        const std::function<std::vector<RegionMatch>(int node)>& matches_with) {
+  Detection out;
+  if (ranking.best.node < 0) return out;
+  out.best = ranking.best;
+  out.runner_up = ranking.runner_up;
   out.matches = matches_with(out.best.node);
   out.reason = verdict(out, config);
   return out;
+}
+
+Detection decide(const std::vector<Candidate>& candidates, const DetectionConfig& config,
+                 const std::function<std::vector<RegionMatch>(int node)>& matches_with) {
+  return decide_ranked(rank(candidates, config.same_place_nodes), config, matches_with);
 }
 
 }  // namespace sailmap

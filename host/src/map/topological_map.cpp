@@ -20,6 +20,13 @@ MatchResult best_match(const Signature& signature, const Node& node, const Match
   return best;
 }
 
+// The same number for both directions of an edge.
+std::uint64_t ends(int from, int to) {
+  const auto low = static_cast<std::uint32_t>(std::min(from, to));
+  const auto high = static_cast<std::uint32_t>(std::max(from, to));
+  return (static_cast<std::uint64_t>(high) << 32U) | low;
+}
+
 }  // namespace
 
 std::string_view name(EdgeKind kind) { return kind == EdgeKind::path ? "path" : "loop"; }
@@ -62,6 +69,14 @@ TopologicalMap::TopologicalMap(MapConfig config, std::vector<Node> nodes, std::v
     demand(is_node(update.node), "image " + std::to_string(update.image) + " belongs to no node");
   }
   demand(count == 0 ? active_ == -1 : is_node(active_), "the active node does not exist");
+  for (const Node& node : nodes_) {
+    for (std::size_t v = 0; v < node.views.size(); ++v) {
+      index_.add({node.id, static_cast<int>(v)}, node.views[v].signature);
+    }
+  }
+  for (const Edge& edge : edges_) {
+    if (edge.kind == EdgeKind::loop) loop_edges_.insert(ends(edge.from, edge.to));
+  }
 }
 
 const Update& TopologicalMap::add(std::string name, Signature signature) {
@@ -76,32 +91,30 @@ const Update& TopologicalMap::add(std::string name, Signature signature) {
   Update update;
   update.image = images();
   update.name = name;
-  const std::vector<Candidate> candidates = compare(signature, update.image);
-  update.detection = decide(candidates, config_.detection, [&](int node) {
+  advance_admissible(update.image);
+  update.detection = decide_ranked(compare(signature), config_.detection, [&](int node) {
     return best_match(signature, nodes_[static_cast<std::size_t>(node)], config_.match).matches;
   });
   if (signature.regions.empty()) {
     update.detection.reason = Reason::no_regions;
-  } else if (candidates.empty() && !nodes_.empty()) {
+  } else if (admissible_ == 0 && !nodes_.empty()) {
     update.detection.reason = Reason::excluded;
   }
 
   View view{update.image, std::move(name), std::move(signature)};
   if (update.detection.accepted()) {
     update.node = update.detection.best.node;
-    if (config_.loop_edges && update.node != active_) add_edge(active_, update.node, EdgeKind::loop);
-    if (config_.sparse) nodes_[static_cast<std::size_t>(update.node)].views.push_back(std::move(view));
+    if (config_.loop_edges && update.node != active_) add_loop(active_, update.node);
+    if (config_.sparse) add_view(update.node, std::move(view));
   } else if (config_.sparse && belongs_to_active(view.signature)) {
     update.node = active_;
-    nodes_[static_cast<std::size_t>(active_)].views.push_back(std::move(view));
+    add_view(active_, std::move(view));
   } else {
     update.node = static_cast<int>(nodes_.size());
     update.new_node = true;
-    Node node;
-    node.id = update.node;
-    node.views.push_back(std::move(view));
-    nodes_.push_back(std::move(node));
-    if (active_ >= 0) add_edge(active_, update.node, EdgeKind::path);
+    add_node(std::move(view));
+    // The first edge of a new node: no need to look whether it is known.
+    if (active_ >= 0) edges_.push_back({active_, update.node, EdgeKind::path});
   }
   active_ = update.node;
   history_.push_back(std::move(update));
@@ -113,14 +126,25 @@ int TopologicalMap::loops() const {
                                         [](const Update& update) { return update.detection.accepted(); }));
 }
 
-std::vector<Candidate> TopologicalMap::compare(const Signature& signature, int image) const {
-  std::vector<Candidate> candidates;
-  for (const Node& node : nodes_) {
-    // Nodes are numbered by age, so that all that follow are newer still.
-    if (image - node.views.front().image <= config_.exclude_recent) break;
-    candidates.push_back({node.id, best_match(signature, node, config_.match).similarity});
+// Nodes are numbered by age, so that all that follow a recent one are newer still; and what is not recent
+// never is again.
+void TopologicalMap::advance_admissible(int image) {
+  const auto is_recent = [&](const Node& node) {
+    return image - node.views.front().image <= config_.exclude_recent;
+  };
+  while (admissible_ < static_cast<int>(nodes_.size()) &&
+         !is_recent(nodes_[static_cast<std::size_t>(admissible_)])) {
+    ++admissible_;
   }
-  return candidates;
+}
+
+Ranking TopologicalMap::compare(const Signature& signature) const {
+  if (admissible_ == 0) return {};
+  return index_.find(signature, admissible_, config_.detection.same_place_nodes, config_.match,
+                     [this](const PlaceIndex::Entry& entry) -> const Signature& {
+                       const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
+                       return node.views[static_cast<std::size_t>(entry.view)].signature;
+                     });
 }
 
 bool TopologicalMap::belongs_to_active(const Signature& signature) const {
@@ -129,12 +153,22 @@ bool TopologicalMap::belongs_to_active(const Signature& signature) const {
   return best_match(signature, node, config_.match).similarity > config_.sparse_threshold;
 }
 
-void TopologicalMap::add_edge(int from, int to, EdgeKind kind) {
-  const bool known = std::any_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
-    return edge.kind == kind &&
-           ((edge.from == from && edge.to == to) || (edge.from == to && edge.to == from));
-  });
-  if (!known) edges_.push_back({from, to, kind});
+void TopologicalMap::add_node(View view) {
+  Node node;
+  node.id = static_cast<int>(nodes_.size());
+  index_.add({node.id, 0}, view.signature);
+  node.views.push_back(std::move(view));
+  nodes_.push_back(std::move(node));
+}
+
+void TopologicalMap::add_view(int node, View view) {
+  std::vector<View>& views = nodes_[static_cast<std::size_t>(node)].views;
+  index_.add({node, static_cast<int>(views.size())}, view.signature);
+  views.push_back(std::move(view));
+}
+
+void TopologicalMap::add_loop(int from, int to) {
+  if (loop_edges_.insert(ends(from, to)).second) edges_.push_back({from, to, EdgeKind::loop});
 }
 
 }  // namespace sailmap

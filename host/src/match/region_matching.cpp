@@ -10,10 +10,13 @@ namespace {
 
 double diagonal(const Signature& signature) { return std::hypot(signature.width, signature.height); }
 
-double descriptor_distance(const Descriptor& a, const Descriptor& b) {
+double squared_distance(const Descriptor& a, const Descriptor& b) {
   double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double difference = static_cast<double>(a[i]) - b[i];
+    sum += difference * difference;
+  }
+  return sum;
 }
 
 struct Displacement {
@@ -41,15 +44,19 @@ std::vector<RegionMatch> nearest_matches(const Signature& query, const Signature
   for (std::size_t i = 0; i < query.regions.size(); ++i) {
     const Region& from = query.regions[i];
     RegionMatch nearest{static_cast<int>(i), -1, 0};
+    double least = 0;  // squared distance of the nearest
     for (std::size_t j = 0; j < candidate.regions.size(); ++j) {
       const Region& to = candidate.regions[j];
       const double dx = from.x - to.x;
       const double dy = from.y - to.y;
       if (dx * dx + dy * dy >= radius * radius) continue;
-      const double distance = descriptor_distance(from.descriptor, to.descriptor);
+      const double squared = squared_distance(from.descriptor, to.descriptor);
+      if (nearest.candidate >= 0 && squared >= least) continue;  // most of them, and spared the root
+      const double distance = std::sqrt(squared);
       if (nearest.candidate < 0 || distance < nearest.distance) {
         nearest.candidate = static_cast<int>(j);
         nearest.distance = distance;
+        least = squared;
       }
     }
     if (nearest.candidate >= 0) matches.push_back(nearest);
@@ -64,7 +71,7 @@ std::vector<RegionMatch> consistent_matches(const Signature& query, const Signat
   for (const RegionMatch& match : matches) {
     const Region& from = query.regions[static_cast<std::size_t>(match.query)];
     const Region& to = candidate.regions[static_cast<std::size_t>(match.candidate)];
-    displacements.push_back({to.x - from.x, to.y - from.y});
+    displacements.push_back({static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)});
   }
   const double tolerance = config.displacement_tolerance * diagonal(query);
   if (displacements.empty()) return {};

@@ -4,18 +4,21 @@
 #include <algorithm>
 #include <string>
 
+#include "match/check.hpp"
 #include "sailmap/error.hpp"
 
 namespace sailmap {
-namespace {
 
-void check(const Signature& query, const Signature& candidate, const MatchConfig& config) {
+void check_same_size(const Signature& query, const Signature& candidate) {
   if (query.width != candidate.width || query.height != candidate.height) {
     const auto size = [](const Signature& s) {
       return std::to_string(s.width) + "x" + std::to_string(s.height);
     };
     throw Error("images of different size cannot be compared: " + size(query) + " and " + size(candidate));
   }
+}
+
+void check_match_config(const MatchConfig& config) {
   if (!(config.search_radius > 0)) throw Error("match configuration: search_radius must be above 0");
   if (!(config.displacement_tolerance >= 0)) {
     throw Error("match configuration: displacement_tolerance must not be negative");
@@ -23,10 +26,9 @@ void check(const Signature& query, const Signature& candidate, const MatchConfig
   if (!(config.similarity_cap > 0)) throw Error("match configuration: similarity_cap must be above 0");
 }
 
-}  // namespace
-
 MatchResult match(const Signature& query, const Signature& candidate, const MatchConfig& config) {
-  check(query, candidate, config);
+  check_same_size(query, candidate);
+  check_match_config(config);
   MatchResult out;
   out.matches = consistent_matches(query, candidate, nearest_matches(query, candidate, config), config);
   if (out.matches.empty()) return out;

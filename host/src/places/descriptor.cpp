@@ -17,7 +17,7 @@ Descriptor against_conspicuity(const Maps& maps, const Box& box) {
   Descriptor v{};
   for (std::size_t i = 0; i < feature_count; ++i) {
     const double normalised_mean = maps.features[i].mean(box) * maps.feature_statistics[i].gain();
-    v[i] = ratio(normalised_mean, conspicuity[kind_of_feature[i]]);
+    v[i] = static_cast<float>(ratio(normalised_mean, conspicuity[kind_of_feature[i]]));
   }
   return v;
 }
@@ -31,7 +31,7 @@ Descriptor against_background(const Maps& maps, const Box& box) {
     const double inside = maps.features[i].mean(box);
     const double total = maps.features[i].mean(all) * all.area();
     const double outside = outside_area > 0 ? (total - inside * box.area()) / outside_area : 0;
-    v[i] = ratio(inside, outside);
+    v[i] = static_cast<float>(ratio(inside, outside));
   }
   return v;
 }
@@ -46,9 +46,9 @@ Signature make_signature(const Maps& maps, const RegionConfig& config) {
   Signature signature{maps.image_width, maps.image_height, {}};
   for (const Peak& peak : find_peaks(maps.saliency, config)) {
     const Box box = region_box(peak, config.box_side, maps.saliency.width(), maps.saliency.height());
-    signature.regions.push_back({static_cast<double>(peak.x * hls::geometry::base_scale),
-                                 static_cast<double>(peak.y * hls::geometry::base_scale), peak.saliency,
-                                 describe(maps, box, config.descriptor)});
+    signature.regions.push_back({static_cast<std::int16_t>(peak.x * hls::geometry::base_scale),
+                                 static_cast<std::int16_t>(peak.y * hls::geometry::base_scale),
+                                 static_cast<float>(peak.saliency), describe(maps, box, config.descriptor)});
   }
   return signature;
 }

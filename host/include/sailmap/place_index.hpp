@@ -1,0 +1,59 @@
+// The nodes most similar to an image, found without comparing it with all: exactly what the exhaustive scan
+// with match() says, node numbers and similarities bit for bit, ties included.
+//
+// Each image is kept as four bytes a region. They bound every descriptor distance from below and the
+// admissible positions (constraint 1) from outside, hence the similarity from above; images whose bound stays
+// below the second-best place known are never looked at. docs/performance.md says what that costs.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "sailmap/detection.hpp"
+#include "sailmap/signature.hpp"
+#include "sailmap/similarity.hpp"
+
+namespace sailmap {
+
+namespace index {
+struct Block;
+}
+
+class PlaceIndex {
+ public:
+  // View number `view` of node number `node`, both from 0.
+  struct Entry {
+    int node = 0;
+    int view = 0;
+  };
+  using SignatureOf = std::function<const Signature&(const Entry&)>;
+
+  PlaceIndex();
+  PlaceIndex(const PlaceIndex& other);
+  PlaceIndex(PlaceIndex&& other) noexcept;
+  PlaceIndex& operator=(const PlaceIndex& other);
+  PlaceIndex& operator=(PlaceIndex&& other) noexcept;
+  ~PlaceIndex();
+
+  // Signatures are not copied; `find` asks for the few it needs. Throws Error when the image's size is not
+  // that of those before it; the index is then unchanged.
+  void add(const Entry& entry, const Signature& signature);
+
+  // Best node and runner-up among nodes 0 .. `nodes` - 1 (all of which have entries), a node being as similar
+  // as the most similar of its entries. `signature_of` gives the signatures as they were added. Throws Error
+  // like match().
+  [[nodiscard]] Ranking find(const Signature& query, int nodes, int same_place_nodes,
+                             const MatchConfig& config, const SignatureOf& signature_of) const;
+
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }  // entries
+  [[nodiscard]] std::size_t memory() const;                           // bytes, without the signatures
+
+ private:
+  Signature first_;  // its size, which is that of all
+  std::vector<Entry> entries_;
+  std::vector<index::Block> blocks_;    // entry e is lane e % 64 of block e / 64
+  std::vector<std::size_t> unbounded_;  // entries with numbers that cannot be bounded: always compared
+};
+
+}  // namespace sailmap

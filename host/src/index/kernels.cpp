@@ -1,0 +1,361 @@
+#include "kernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plain_kernels.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "index/kernels.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace sailmap::index {
+namespace HWY_NAMESPACE {
+#if HWY_TARGET == HWY_SCALAR
+
+Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
+  return plain::screen(block, query, work);
+}
+
+ConsistentMatches consistent(const QueryLanes& lanes, const Region* candidates, std::size_t count,
+                             EstimateWork& work) {
+  return plain::consistent(lanes, candidates, count, work);
+}
+
+#else
+
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Bytes = hn::CappedTag<std::uint8_t, block_images>;
+using Vector = hn::Vec<Bytes>;
+using Pairs = hn::CappedTag<std::int16_t, block_images>;  // codes, two to a lane
+using PairVector = hn::Vec<Pairs>;
+
+// For each lane the sum of the products of its two bytes, those of `codes` (0 .. 127) and those of
+// `signed_bytes`.
+HWY_INLINE PairVector dot(PairVector codes, PairVector signed_bytes) {
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4
+  return PairVector{_mm_maddubs_epi16(codes.raw, signed_bytes.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  return PairVector{_mm256_maddubs_epi16(codes.raw, signed_bytes.raw)};
+#elif HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+  return PairVector{_mm512_maddubs_epi16(codes.raw, signed_bytes.raw)};
+#else
+  const auto low =
+      hn::Mul(hn::And(codes, hn::Set(Pairs(), 0xFF)), hn::ShiftRight<8>(hn::ShiftLeft<8>(signed_bytes)));
+  return hn::Add(low, hn::Mul(hn::ShiftRight<8>(codes), hn::ShiftRight<8>(signed_bytes)));
+#endif
+}
+
+// The two bytes' squares about zeros, summed.
+HWY_INLINE PairVector squares(PairVector codes, PairVector zeros) {
+  const hn::Repartition<std::int8_t, Pairs> bytes;
+  const auto centred = hn::Sub(hn::BitCast(bytes, codes), hn::BitCast(bytes, zeros));
+  const auto size = hn::BitCast(Pairs(), hn::Abs(centred));
+  return dot(size, size);
+}
+
+// Half the squares |c|^2 of descriptor and position of each candidate; positions of empty slots are beyond
+// all limits. Rows of 64 numbers, descriptor and position for each slot.
+HWY_INLINE void half_squares(const Block& block, std::int16_t position_zeros, std::int16_t* out) {
+  const Pairs d;
+  const PairVector zeros = hn::Set(d, zero_code * 0x0101);
+  const PairVector middle = hn::Set(d, position_zeros);
+  for (std::size_t slot = 0; slot < block.slots(); ++slot) {
+    const auto* row = reinterpret_cast<const std::int16_t*>(block.codes.data() + slot * Block::slot_bytes);
+    for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(d)) {
+      const auto square = [&](std::size_t i, PairVector about) HWY_ATTR {
+        return squares(hn::LoadU(d, row + i * block_images + lane), about);
+      };
+      const auto sum = hn::Add(hn::Add(square(0, zeros), square(1, zeros)), square(2, zeros));
+      const auto count = hn::LoadU(d, block.counts.data() + lane);
+      const auto filled = hn::Gt(count, hn::Set(d, static_cast<std::int16_t>(slot)));
+      const auto position = hn::ShiftRight<1>(square(3, middle));
+      hn::StoreU(hn::ShiftRight<1>(sum), d, out + 2 * slot * block_images + lane);
+      hn::StoreU(hn::IfThenElse(filled, position, hn::Set(d, empty_slot)), d,
+                 out + (2 * slot + 1) * block_images + lane);
+    }
+  }
+}
+
+// A region of the query in registers.
+struct Probe {
+  PairVector q0, q1, q2, q3, descriptor_rest, position_rest, limit, least;
+};
+
+HWY_INLINE Probe probe_of(const ScreenRegion& region, bool exact) {
+  const Pairs d;
+  return {hn::Set(d, region.minus_pairs[0]),
+          hn::Set(d, region.minus_pairs[1]),
+          hn::Set(d, region.minus_pairs[2]),
+          hn::Set(d, region.minus_pairs[3]),
+          hn::Set(d, region.descriptor_rest),
+          hn::Set(d, region.position_rest),
+          hn::Set(d, region.position_limits[exact ? 0 : 1]),
+          hn::Set(d, INT16_MAX)};
+}
+
+// Distance codes from half the squared distances in code steps: rounded down, less the codes' errors.
+HWY_INLINE void store_distances(PairVector half_squared, const ScreenRegion& region, float scale,
+                                std::uint8_t* out) {
+  const hn::RepartitionToWide<Pairs> d32;
+  const hn::Repartition<float, Pairs> df;
+  const hn::Rebind<std::uint8_t, decltype(d32)> d8;
+  const hn::Half<Pairs> half;
+  const auto convert = [&](auto numbers, std::uint8_t* to) HWY_ATTR {
+    const auto squared = hn::Max(hn::ConvertTo(df, hn::PromoteTo(d32, numbers)), hn::Zero(df));
+    const auto steps = hn::Sqrt(hn::Add(squared, squared));
+    const auto codes = hn::Sub(hn::Mul(steps, hn::Set(df, scale)), hn::Set(df, region.error));
+    const auto within = hn::Min(hn::Max(codes, hn::Zero(df)), hn::Set(df, 255.0F));
+    hn::StoreU(hn::DemoteTo(d8, hn::ConvertTo(d32, within)), d8, to);
+  };
+  convert(hn::LowerHalf(half, half_squared), out);
+  convert(hn::UpperHalf(half, half_squared), out + hn::Lanes(d32));
+}
+
+// The least bounds over all slots, a distance code for each image, for two regions of the query at a time (so
+// that each candidate is loaded once for both).
+HWY_INLINE void least_bounds(const Block& block, const ScreenRegion& first, const ScreenRegion& second,
+                             const std::int16_t* half, float scale, bool exact, std::size_t lane,
+                             std::uint8_t* out) {
+  const Pairs d;
+  Probe a = probe_of(first, exact);
+  Probe b = probe_of(second, exact);
+  const PairVector none = hn::Set(d, INT16_MAX);
+  const std::uint8_t first_column = std::min(first.first_column, second.first_column);
+  const std::uint8_t last_column = std::max(first.last_column, second.last_column);
+  for (std::size_t slot = 0; slot < block.slots(); ++slot) {
+    if (block.columns[slot].last < first_column || block.columns[slot].first > last_column) continue;
+    const auto* row = reinterpret_cast<const std::int16_t*>(block.codes.data() + slot * Block::slot_bytes);
+    const PairVector c0 = hn::LoadU(d, row + lane);
+    const PairVector c1 = hn::LoadU(d, row + block_images + lane);
+    const PairVector c2 = hn::LoadU(d, row + 2 * block_images + lane);
+    const PairVector c3 = hn::LoadU(d, row + 3 * block_images + lane);
+    const PairVector descriptor = hn::LoadU(d, half + 2 * slot * block_images + lane);
+    const PairVector position = hn::LoadU(d, half + (2 * slot + 1) * block_images + lane);
+    const auto improve = [&](Probe& probe) HWY_ATTR {
+      // Sums wrap around on the way; where the end of them does, the bound is negative and counts as 0.
+      const auto distance = hn::Add(hn::Add(hn::Add(descriptor, probe.descriptor_rest), dot(c0, probe.q0)),
+                                    hn::Add(dot(c1, probe.q1), dot(c2, probe.q2)));
+      const auto offset = hn::Add(hn::Add(position, probe.position_rest), dot(c3, probe.q3));
+      probe.least = hn::Min(probe.least, hn::IfThenElse(hn::Lt(offset, probe.limit), distance, none));
+    };
+    improve(a);
+    improve(b);
+  }
+  store_distances(a.least, first, scale, out);
+  store_distances(b.least, second, scale, out + block_images);
+}
+
+// Which images have a k for which the k smallest of their bounds (rows of `bounds`, sorted) keep the limit.
+HWY_INLINE void within_limits(const std::uint8_t* bounds, const ScreenQuery& query, std::size_t lane,
+                              Passing& passing) {
+  const Bytes d;
+  const hn::RepartitionToWide<Bytes> d16;
+  const hn::Half<Bytes> dh;
+  using Sums = hn::Vec<decltype(d16)>;
+  Sums low_sum = hn::Zero(d16);
+  Sums high_sum = low_sum;
+  Sums low_excess[grades];
+  Sums high_excess[grades];
+  std::fill_n(low_excess, grades, hn::Set(d16, 0xFFFF));
+  std::fill_n(high_excess, grades, hn::Set(d16, 0xFFFF));
+  for (std::size_t k = 0; k < query.limits.size(); ++k) {
+    const Vector bound = hn::LoadU(d, bounds + k * block_images + lane);
+    low_sum = hn::SaturatedAdd(low_sum, hn::PromoteTo(d16, hn::LowerHalf(dh, bound)));
+    high_sum = hn::SaturatedAdd(high_sum, hn::PromoteTo(d16, hn::UpperHalf(dh, bound)));
+    for (std::size_t grade = 0; grade < grades; ++grade) {
+      const Sums limit = hn::Set(d16, query.limits[k][grade]);
+      low_excess[grade] = hn::Min(low_excess[grade], hn::SaturatedSub(low_sum, limit));
+      high_excess[grade] = hn::Min(high_excess[grade], hn::SaturatedSub(high_sum, limit));
+    }
+  }
+  const auto bits_of = [&](Sums excess) HWY_ATTR {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d16, hn::Eq(excess, hn::Zero(d16)), bytes);
+    std::uint64_t out = 0;
+    for (std::size_t i = 0; i < 4; ++i) out |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
+    return out;
+  };
+  for (std::size_t grade = 0; grade < grades; ++grade) {
+    passing[grade] |= bits_of(low_excess[grade]) << lane;
+    passing[grade] |= bits_of(high_excess[grade]) << (lane + hn::Lanes(d16));
+  }
+}
+
+}  // namespace
+
+Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
+  const Bytes d;
+  const std::size_t regions = query.regions.size();
+  std::uint8_t* bounds = work;
+  auto* half = reinterpret_cast<std::int16_t*>(work + (regions + 1) * block_images);
+  half_squares(block, query.position_zeros, half);
+  const bool exact = query.exact_positions && block.exact_positions;
+  for (std::size_t i = 0; i < regions; i += 2) {
+    const ScreenRegion& second = query.regions[std::min(i + 1, regions - 1)];
+    for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(Pairs())) {
+      least_bounds(block, query.regions[i], second, half, query.scale, exact, lane,
+                   bounds + i * block_images + lane);
+    }
+  }
+  Passing passing{};
+  for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(d)) {
+    for (const auto& [i, j] : query.network) {
+      const Vector a = hn::LoadU(d, bounds + i * block_images + lane);
+      const Vector b = hn::LoadU(d, bounds + j * block_images + lane);
+      hn::StoreU(hn::Min(a, b), d, bounds + i * block_images + lane);
+      hn::StoreU(hn::Max(a, b), d, bounds + j * block_images + lane);
+    }
+    within_limits(bounds, query, lane, passing);
+  }
+  return passing;
+}
+
+namespace {
+
+using Floats = hn::CappedTag<float, lane_padding>;
+using FloatVector = hn::Vec<Floats>;
+
+// For a vector of query regions the nearest admissible candidate: squared distance, displacement.
+struct Nearest {
+  FloatVector least, dx, dy;
+  bool ambiguous;
+};
+
+HWY_INLINE Nearest nearest(const QueryLanes& lanes, std::size_t lane, const Region* candidates,
+                           const std::uint16_t* within_reach, std::size_t count) {
+  const Floats d;
+  const FloatVector largest = hn::Set(d, lanes.largest_squared_offset);
+  const FloatVector none = hn::Set(d, no_candidate);
+  const FloatVector x = hn::LoadU(d, lanes.x.data() + lane);
+  const FloatVector y = hn::LoadU(d, lanes.y.data() + lane);
+  FloatVector from[feature_count];
+  for (std::size_t i = 0; i < feature_count; ++i) from[i] = hn::LoadU(d, lanes.descriptor[i].data() + lane);
+  FloatVector least = none;
+  FloatVector second = none;
+  FloatVector least_dx = none;
+  FloatVector least_dy = none;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Region& to = candidates[within_reach[k]];
+    const FloatVector dx = hn::Sub(x, hn::Set(d, to.x));
+    const FloatVector dy = hn::Sub(y, hn::Set(d, to.y));
+    const auto near = hn::Le(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), largest);
+    FloatVector even = hn::Zero(d);
+    FloatVector odd = hn::Zero(d);
+    static_assert(feature_count % 2 == 0);
+    for (std::size_t i = 0; i < feature_count; i += 2) {
+      const auto a = hn::Sub(from[i], hn::Set(d, to.descriptor[i]));
+      const auto b = hn::Sub(from[i + 1], hn::Set(d, to.descriptor[i + 1]));
+      even = hn::MulAdd(a, a, even);
+      odd = hn::MulAdd(b, b, odd);
+    }
+    const FloatVector squared = hn::IfThenElse(near, hn::Add(even, odd), none);
+    const auto nearer = hn::Lt(squared, least);
+    second = hn::Min(second, hn::Max(squared, least));
+    least_dx = hn::IfThenElse(nearer, dx, least_dx);
+    least_dy = hn::IfThenElse(nearer, dy, least_dy);
+    least = hn::Min(least, squared);
+  }
+  const auto certain = hn::MulAdd(least, hn::Set(d, 1 + ambiguous_part), hn::Set(d, underflow));
+  const auto doubtful = hn::And(hn::Lt(least, none), hn::Le(second, certain));
+  return {least, least_dx, least_dy, !hn::AllFalse(d, doubtful)};
+}
+
+// The candidates whose columns are within reach, in their order. Without branches: whether one is cannot be
+// foretold.
+HWY_INLINE std::size_t list_within(const QueryLanes::Reach& reach, const Region* candidates,
+                                   std::size_t count, std::uint16_t* list) {
+  std::size_t size = 0;
+  for (std::size_t j = 0; j < count; ++j) {
+    const int x = candidates[j].x;
+    list[size] = static_cast<std::uint16_t>(j);
+    size += static_cast<std::size_t>(x >= reach.first) & static_cast<std::size_t>(x <= reach.last);
+  }
+  return size;
+}
+
+// How many displacements agree with (x, y).
+HWY_INLINE std::size_t supporters(const float* dx, const float* dy, std::size_t lanes, float x, float y,
+                                  float largest) {
+  const Floats d;
+  std::size_t count = 0;
+  for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
+    const FloatVector ex = hn::Sub(hn::LoadU(d, dx + lane), hn::Set(d, x));
+    const FloatVector ey = hn::Sub(hn::LoadU(d, dy + lane), hn::Set(d, y));
+    count += hn::CountTrue(d, hn::Le(hn::MulAdd(ex, ex, hn::Mul(ey, ey)), hn::Set(d, largest)));
+  }
+  return count;
+}
+
+}  // namespace
+
+ConsistentMatches consistent(const QueryLanes& lanes, const Region* candidates, std::size_t count,
+                             EstimateWork& work) {
+  const Floats d;
+  const std::size_t padded = lanes.x.size();
+  float* squared = work.numbers.data();
+  float* dx = squared + padded;
+  float* dy = dx + padded;
+  work.within_reach.resize(std::max(work.within_reach.size(), count + 1));
+  ConsistentMatches out;
+  for (std::size_t lane = 0; lane < padded; lane += hn::Lanes(d)) {
+    const std::size_t within =
+        list_within(lanes.reaches[lane / lane_padding], candidates, count, work.within_reach.data());
+    const Nearest found = nearest(lanes, lane, candidates, work.within_reach.data(), within);
+    if (found.ambiguous) return {0, 0, true};
+    hn::StoreU(found.least, d, squared + lane);
+    hn::StoreU(found.dx, d, dx + lane);
+    hn::StoreU(found.dy, d, dy + lane);
+  }
+  std::size_t most = 0;
+  std::size_t common = 0;
+  for (const std::size_t lane : lanes.order) {
+    if (squared[lane] >= no_candidate) continue;
+    const std::size_t support = supporters(dx, dy, padded, dx[lane], dy[lane], lanes.largest_squared_spread);
+    if (support > most) {
+      most = support;
+      common = lane;
+    }
+  }
+  if (most == 0) return out;
+  for (std::size_t lane = 0; lane < lanes.count; ++lane) {
+    const float ex = dx[lane] - dx[common];
+    const float ey = dy[lane] - dy[common];
+    if (squared[lane] >= no_candidate || ex * ex + ey * ey > lanes.largest_squared_spread) continue;
+    out.sum += std::sqrt(std::max(0.0F, squared[lane] - underflow));
+    ++out.count;
+  }
+  return out;
+}
+
+#endif  // HWY_SCALAR
+}  // namespace HWY_NAMESPACE
+}  // namespace sailmap::index
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sailmap::index {
+
+HWY_EXPORT(screen);
+HWY_EXPORT(consistent);
+
+std::size_t work_bytes(std::size_t slots, std::size_t regions) {
+  return (regions + 1 + 4 * slots) * block_images;
+}
+
+Passing screen_block(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
+  return HWY_DYNAMIC_DISPATCH(screen)(block, query, work);
+}
+
+ConsistentMatches consistent_matches(const QueryLanes& lanes, const Region* candidates, std::size_t count,
+                                     EstimateWork& work) {
+  return HWY_DYNAMIC_DISPATCH(consistent)(lanes, candidates, count, work);
+}
+
+}  // namespace sailmap::index
+#endif  // HWY_ONCE

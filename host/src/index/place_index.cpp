@@ -1,0 +1,187 @@
+#include "sailmap/place_index.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "estimate.hpp"
+#include "leaders.hpp"
+#include "match/check.hpp"
+#include "screen.hpp"
+
+namespace sailmap {
+namespace {
+
+using index::block_images;
+
+// Blocks screened before those that pass are looked at: enough that the memory reads of many overlap, and
+// few at first, when nothing is known yet and all pass.
+constexpr std::size_t most_blocks_at_once = 16;
+
+class Search {
+ public:
+  Search(const Signature& query, int nodes, int same_place_nodes, const MatchConfig& config,
+         const PlaceIndex::SignatureOf& signature_of)
+      : query_(query),
+        nodes_(nodes),
+        config_(config),
+        signature_of_(signature_of),
+        leaders_(same_place_nodes),
+        screen_(query, config),
+        estimate_(query, config) {}
+
+  void compare(const PlaceIndex::Entry& entry) {
+    if (entry.node < nodes_) {
+      leaders_.add({entry.node, match(query_, signature_of_(entry), config_).similarity});
+    }
+  }
+
+  void screen(const std::vector<PlaceIndex::Entry>& entries, const std::vector<index::Block>& blocks) {
+    std::size_t at_once = 1;
+    for (std::size_t begin = 0; begin < blocks.size();) {
+      const std::size_t end = std::min(blocks.size(), begin + at_once);
+      for (std::size_t b = begin; b < end; ++b) sift(entries, blocks[b], b * block_images);
+      compare_all(promising_);
+      promising_.clear();
+      raise_threshold();
+      begin = end;
+      at_once = std::min(2 * at_once, most_blocks_at_once);
+    }
+    compare_deferred();
+  }
+
+  [[nodiscard]] Ranking ranking() const { return leaders_.ranking(nodes_); }
+
+ private:
+  struct Promising {
+    PlaceIndex::Entry entry;
+    double bound = 0;  // of the similarity
+    const Signature* signature = nullptr;
+  };
+  static bool by_bound(const Promising& a, const Promising& b) { return a.bound > b.bound; }
+
+  void raise_threshold() {
+    const double threshold = leaders_.threshold();
+    if (threshold <= grade_bounds_.front()) return;
+    screen_.set_threshold(threshold);
+    double bound = threshold;
+    for (double& grade_bound : grade_bounds_) {
+      grade_bound = bound;
+      bound *= index::grade_ratio;
+    }
+  }
+
+  // Entries that may be far better than what is known are to be compared soon; others that pass wait until
+  // all have been seen, when most of them no longer matter.
+  void sift(const std::vector<PlaceIndex::Entry>& entries, const index::Block& block, std::size_t first) {
+    index::Passing passing;
+    passing.fill(~std::uint64_t{0});
+    if (leaders_.threshold() > 0) passing = screen_.passing(block);
+    for (std::uint64_t left = passing.front(); left != 0; left &= left - 1) {
+      const auto lane = static_cast<unsigned>(std::countr_zero(left));
+      const std::size_t e = first + lane;
+      if (e >= entries.size() || entries[e].node >= nodes_) continue;
+      std::size_t grade = 1;
+      while (grade < index::grades && ((passing[grade] >> lane) & 1U) != 0) ++grade;
+      if (grade == index::grades) {
+        promising_.push_back({entries[e]});
+      } else {
+        deferred_.push_back({entries[e], grade_bounds_[grade]});
+      }
+    }
+  }
+
+  // In steps over all of them, so that they wait for memory together.
+  void compare_all(std::span<Promising> entries) {
+    for (Promising& p : entries) {
+      p.signature = &signature_of_(p.entry);
+      __builtin_prefetch(p.signature);
+    }
+    for (const Promising& p : entries) {
+      const auto* bytes = reinterpret_cast<const char*>(p.signature->regions.data());
+      for (std::size_t at = 0; at < p.signature->regions.size() * sizeof(Region); at += 64) {
+        __builtin_prefetch(bytes + at);
+      }
+    }
+    for (Promising& p : entries) p.bound = estimate_(*p.signature);
+    std::sort(entries.begin(), entries.end(), by_bound);
+    for (const Promising& p : entries) {
+      if (p.bound <= 0 || p.bound < leaders_.threshold()) break;
+      leaders_.add({p.entry.node, match(query_, *p.signature, config_).similarity});
+    }
+  }
+
+  void compare_deferred() {
+    std::sort(deferred_.begin(), deferred_.end(), by_bound);
+    for (std::size_t begin = 0; begin < deferred_.size(); begin += block_images) {
+      if (deferred_[begin].bound < leaders_.threshold()) break;
+      compare_all(std::span(deferred_).subspan(begin, std::min(block_images, deferred_.size() - begin)));
+    }
+  }
+
+  const Signature& query_;
+  int nodes_;
+  const MatchConfig& config_;
+  const PlaceIndex::SignatureOf& signature_of_;
+  index::Leaders leaders_;
+  index::ScreenQuery screen_;
+  index::Estimator estimate_;
+  std::vector<Promising> promising_;
+  std::vector<Promising> deferred_;
+  std::array<double, index::grades> grade_bounds_{};
+};
+
+}  // namespace
+
+PlaceIndex::PlaceIndex() = default;
+PlaceIndex::PlaceIndex(const PlaceIndex& other) = default;
+PlaceIndex::PlaceIndex(PlaceIndex&& other) noexcept = default;
+PlaceIndex& PlaceIndex::operator=(const PlaceIndex& other) = default;
+PlaceIndex& PlaceIndex::operator=(PlaceIndex&& other) noexcept = default;
+PlaceIndex::~PlaceIndex() = default;
+
+void PlaceIndex::add(const Entry& entry, const Signature& signature) {
+  if (entries_.empty()) {
+    first_ = {signature.width, signature.height, {}};
+  } else {
+    check_same_size(signature, first_);
+  }
+  const std::size_t lane = entries_.size() % block_images;
+  if (lane == 0) blocks_.emplace_back();
+  if (index::can_be_bounded(signature)) {
+    blocks_.back().add(lane, signature);
+  } else {
+    unbounded_.push_back(entries_.size());
+  }
+  entries_.push_back(entry);
+}
+
+Ranking PlaceIndex::find(const Signature& query, int nodes, int same_place_nodes, const MatchConfig& config,
+                         const SignatureOf& signature_of) const {
+  check_match_config(config);
+  if (!entries_.empty()) check_same_size(query, first_);
+  if (query.regions.empty()) return index::Leaders(same_place_nodes).ranking(nodes);
+  if (!index::can_be_bounded(query)) {
+    index::Leaders leaders(same_place_nodes);
+    for (const Entry& entry : entries_) {
+      if (entry.node >= nodes) continue;
+      leaders.add({entry.node, match(query, signature_of(entry), config).similarity});
+    }
+    return leaders.ranking(nodes);
+  }
+  Search search(query, nodes, same_place_nodes, config, signature_of);
+  for (const std::size_t e : unbounded_) search.compare(entries_[e]);
+  search.screen(entries_, blocks_);
+  return search.ranking();
+}
+
+std::size_t PlaceIndex::memory() const {
+  std::size_t bytes = entries_.capacity() * sizeof(Entry) + blocks_.capacity() * sizeof(index::Block) +
+                      unbounded_.capacity() * sizeof(std::size_t);
+  for (const index::Block& block : blocks_) bytes += block.memory();
+  return bytes;
+}
+
+}  // namespace sailmap

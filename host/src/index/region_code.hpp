@@ -1,0 +1,54 @@
+// A region in eight bytes: enough to bound its distance to another from below within about 0.03.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sailmap/signature.hpp"
+
+namespace sailmap::index {
+
+// A descriptor's numbers sum to one within each kind, so that seven orthonormal directions hold all of a
+// distance: rows of a Hadamard matrix within each kind. The one that varies least on real images
+// (ori_0 + ori_90 - ori_45 - ori_135, 1 % of the variance) is left out for the sake of eight even bytes.
+inline constexpr std::size_t directions = 6;
+using Projection = std::array<double, directions>;
+
+// Distances between projections are at most those between the descriptors (each number cut to +-1000 before,
+// which brings none further apart), but for rounding below 1e-9.
+Projection project(const Descriptor& descriptor);
+
+// Codes of directions are 0 .. 127, in steps of `step`, 64 standing for 0; what lies beyond counts as the
+// outermost, which brings none further apart either.
+inline constexpr double step = 0.01123;  // 127 of them span the +-sqrt(1/2) of a kind with two numbers
+inline constexpr int zero_code = 64;
+inline constexpr int last_code = 127;
+
+// Columns and rows are counted in `step` pixels from a middle pixel, whose codes are the zeros: 4 pixels,
+// which is exact for regions on the base level, unless the image is too large for the kernel's 16 bits.
+struct PositionGrid {
+  PositionGrid(int width, int height);
+  double step = 4;
+  std::array<int, 2> middle{};  // x, y
+  std::array<int, 2> zeros{};
+};
+inline constexpr int longest_diagonal = 254;  // in codes
+
+// Six directions, then column and row.
+inline constexpr std::size_t code_bytes = directions + 2;
+using RegionCode = std::array<std::uint8_t, code_bytes>;
+RegionCode encode(const Region& region, const PositionGrid& grid);
+
+// Whether the code stands for exactly the region's position.
+bool is_exact(const Region& region, const PositionGrid& grid);
+
+// How far, in descriptor distance, a descriptor is from what its code stands for: less than this, and
+// exactly.
+inline constexpr double largest_code_error = 0.01376;  // step / 2 in each of six directions
+double code_error(const Descriptor& descriptor, const RegionCode& code);
+
+// Not too many regions, all numbers finite and small enough that no arithmetic on them in single precision
+// overflows. Other signatures are compared exactly.
+bool can_be_bounded(const Signature& signature);
+
+}  // namespace sailmap::index

@@ -1,0 +1,172 @@
+#include "screen.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "kernels.hpp"
+
+namespace sailmap::index {
+namespace {
+
+// Bounds are rounded to their safe side by this part of themselves, far above what double precision loses.
+constexpr double slack = 1e-6;
+
+// Two bytes, signed or not, in one number.
+std::int16_t pair_of(int first, int second) {
+  const auto low = static_cast<std::uint8_t>(first);
+  const auto high = static_cast<std::uint8_t>(second);
+  return static_cast<std::int16_t>(low | (high << 8));
+}
+
+// Of codes q about their zeros: |q|^2 / 2, rounded down, and the product of q with the zeros.
+struct Moments {
+  int half_square = 0;
+  int product = 0;
+};
+Moments moments(const RegionCode& code, std::size_t begin, std::initializer_list<int> zeros) {
+  Moments out;
+  for (const int zero : zeros) {
+    const int q = code[begin] - zero;
+    out.half_square += q * q;
+    out.product += q * zero;
+    ++begin;
+  }
+  out.half_square /= 2;
+  return out;
+}
+
+// `radius` and `error` in steps of position codes.
+std::int16_t position_limit(double radius, double error, int half_square) {
+  constexpr double all = longest_diagonal * longest_diagonal / 2;
+  const double reach = radius + error + slack;
+  return static_cast<std::int16_t>(static_cast<int>(std::min(reach * reach / 2, all)) + 1 - half_square);
+}
+
+// `radius` in pixels.
+ScreenRegion screen_region(const RegionCode& code, const PositionGrid& grid, double radius) {
+  ScreenRegion out;
+  for (std::size_t i = 0; i < directions / 2; ++i) {
+    out.minus_pairs[i] = pair_of(zero_code - code[2 * i], zero_code - code[2 * i + 1]);
+  }
+  const int column = code[directions];
+  const int row = code[directions + 1];
+  out.minus_pairs[directions / 2] = pair_of(grid.zeros[0] - column, grid.zeros[1] - row);
+  const Moments descriptor =
+      moments(code, 0, {zero_code, zero_code, zero_code, zero_code, zero_code, zero_code});
+  out.descriptor_rest = static_cast<std::int16_t>(descriptor.half_square + descriptor.product);
+  const Moments position = moments(code, directions, {grid.zeros[0], grid.zeros[1]});
+  out.position_rest = static_cast<std::int16_t>(position.product);
+  const double off = std::sqrt(2.0);  // both codes, by half in each direction
+  const double reach = radius / grid.step;
+  out.position_limits = {position_limit(reach, 0, position.half_square),
+                         position_limit(reach, off, position.half_square)};
+  const double columns = std::min(reach + off, 255.0);
+  out.first_column = static_cast<std::uint8_t>(std::max(0.0, std::floor(column - columns)));
+  out.last_column = static_cast<std::uint8_t>(std::min(255.0, std::ceil(column + columns)));
+  return out;
+}
+
+// The most S_k may be for k regions to reach the similarity.
+double limit(std::size_t k, Method method, std::size_t regions, double similarity) {
+  const auto matched = static_cast<double>(k);
+  const double weight = method == Method::paper_weighted ? matched / static_cast<double>(regions) : 1;
+  return weight * matched / similarity;
+}
+
+// With positions at their zeros, which the kernel's empty_slot counts on.
+void append_empty_slot(std::vector<std::uint8_t>& codes, const PositionGrid& grid) {
+  codes.resize(codes.size() + directions * block_images);
+  for (std::size_t lane = 0; lane < block_images; ++lane) {
+    for (const int zero : grid.zeros) codes.push_back(static_cast<std::uint8_t>(zero));
+  }
+}
+
+}  // namespace
+
+void Block::add(std::size_t lane, const Signature& signature) {
+  const PositionGrid grid(signature.width, signature.height);
+  const std::size_t count = signature.regions.size();
+  std::vector<RegionCode> regions;
+  regions.reserve(count);
+  for (const Region& region : signature.regions) {
+    regions.push_back(encode(region, grid));
+    exact_positions = exact_positions && is_exact(region, grid);
+  }
+  const auto column = [](const RegionCode& code) { return code[directions]; };
+  std::sort(regions.begin(), regions.end(),
+            [&](const RegionCode& a, const RegionCode& b) { return column(a) < column(b); });
+  if (count > slots()) {
+    columns.reserve(count);
+    columns.resize(count);
+    codes.reserve(count * slot_bytes);  // exactly: growth by doubling would waste memory
+    for (std::size_t slot = codes.size() / slot_bytes; slot < count; ++slot) append_empty_slot(codes, grid);
+  }
+  counts[lane] = static_cast<std::int16_t>(count);
+  for (std::size_t slot = 0; slot < count; ++slot) {
+    for (std::size_t byte = 0; byte < code_bytes; ++byte) {
+      const std::size_t row = slot * slot_bytes + byte / 2 * row_bytes;
+      codes[row + 2 * lane + byte % 2] = regions[slot][byte];
+    }
+    columns[slot].first = std::min(columns[slot].first, column(regions[slot]));
+    columns[slot].last = std::max(columns[slot].last, column(regions[slot]));
+  }
+}
+
+std::size_t Block::memory() const { return codes.capacity() + columns.capacity() * sizeof(Columns); }
+
+SortingNetwork sorting_network(std::size_t size) {
+  SortingNetwork network;
+  for (std::size_t p = 1; p < size; p *= 2) {
+    for (std::size_t k = p; k >= 1; k /= 2) {
+      for (std::size_t j = k % p; j + k < size; j += 2 * k) {
+        for (std::size_t i = 0; i < std::min(k, size - j - k); ++i) {
+          if ((i + j) / (p * 2) != (i + j + k) / (p * 2)) continue;
+          network.emplace_back(static_cast<std::uint16_t>(i + j), static_cast<std::uint16_t>(i + j + k));
+        }
+      }
+    }
+  }
+  return network;
+}
+
+ScreenQuery::ScreenQuery(const Signature& query, const MatchConfig& config)
+    : limits(query.regions.size()), network(sorting_network(query.regions.size())), method_(config.method) {
+  const double radius = config.search_radius * std::hypot(query.width, query.height);
+  const PositionGrid grid(query.width, query.height);
+  position_zeros = pair_of(grid.zeros[0], grid.zeros[1]);
+  std::vector<const Region*> order;
+  for (const Region& region : query.regions) order.push_back(&region);
+  std::sort(order.begin(), order.end(), [](const Region* a, const Region* b) { return a->x < b->x; });
+  for (const Region* region : order) {
+    const RegionCode code = encode(*region, grid);
+    regions.push_back(screen_region(code, grid, radius));
+    exact_positions = exact_positions && is_exact(*region, grid);
+    errors_.push_back(largest_code_error + code_error(region->descriptor, code) + slack);
+  }
+}
+
+void ScreenQuery::set_threshold(double threshold) {
+  // Beyond the clip all distances are one: it has to stay clear of what decides, which is below k / threshold
+  // for one region (`paper`), around 1 / threshold for each of many (`paper_weighted`).
+  const double clip = std::clamp((method_ == Method::paper ? 1.1 : 2) / threshold, 1e-3, 4.0);
+  const double codes = 255 / clip;
+  scale = static_cast<float>(step * codes * (1 - slack));
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    regions[i].error = static_cast<float>(errors_[i] * codes * (1 + slack));
+  }
+  for (std::size_t grade = 0; grade < grades; ++grade) {
+    const double similarity = threshold * std::pow(grade_ratio, static_cast<double>(grade));
+    for (std::size_t k = 1; k <= limits.size(); ++k) {
+      const double most = limit(k, method_, regions.size(), similarity) * codes * (1 + slack);
+      limits[k - 1][grade] = static_cast<std::uint16_t>(std::min(most, 65535.0));
+    }
+  }
+}
+
+Passing ScreenQuery::passing(const Block& block) {
+  work_.resize(std::max(work_.size(), work_bytes(block.slots(), regions.size())));
+  return screen_block(block, *this, work_.data());
+}
+
+}  // namespace sailmap::index

@@ -1,0 +1,93 @@
+// Screening: from the coarse codes of 64 images at a time, which of them can be at least as similar to the
+// query as a threshold. Never says no where the similarity of eq. 7 would reach it.
+//
+// Why that is safe. Of the regions of the query, each that matches does so at no less than the least lower
+// bound over all candidates that may be admissible. The k regions of MR thus cost at least the k smallest of
+// these bounds, S_k: Sim <= k / S_k (`paper`) and Sim <= k^2 / (n S_k) (`paper_weighted`, n regions in the
+// query), whatever subset constraint 2 leaves. An image for which S_k is above the limit for every k is out.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "region_code.hpp"
+#include "sailmap/similarity.hpp"
+
+namespace sailmap::index {
+
+inline constexpr std::size_t block_images = 64;
+
+// The codes of up to 64 images: for each slot (an image's regions in order of their column) four rows, one
+// for each pair of code bytes, of 64 such pairs.
+struct Block {
+  std::vector<std::uint8_t> codes;
+  struct Columns {
+    std::uint8_t first = 255;
+    std::uint8_t last = 0;
+  };
+  std::vector<Columns> columns;                     // of each slot, over its images
+  std::array<std::int16_t, block_images> counts{};  // regions of each image, slots beyond are empty
+  bool exact_positions = true;
+
+  static constexpr std::size_t row_bytes = 2 * block_images;
+  static constexpr std::size_t slot_bytes = code_bytes * block_images;
+  [[nodiscard]] std::size_t slots() const { return columns.size(); }
+  // The signature can_be_bounded.
+  void add(std::size_t lane, const Signature& signature);
+  [[nodiscard]] std::size_t memory() const;  // bytes, without the block itself
+};
+
+using SortingNetwork = std::vector<std::pair<std::uint16_t, std::uint16_t>>;
+
+// Pairs (i, j), i < j, whose comparisons in this order sort `size` numbers (Batcher's odd-even merge).
+SortingNetwork sorting_network(std::size_t size);
+
+// One region of the query, as the kernel wants it. With codes c and q about their zeros, half the squared
+// distance is |c|^2/2 - q.c + |q|^2/2; in 16 bits, halves rounded down. The kernel has codes with the zeros
+// still in them: what that adds to -q.c is in the `rests`.
+struct ScreenRegion {
+  std::array<std::int16_t, code_bytes / 2> minus_pairs{};  // -q in signed bytes, two in each
+  std::int16_t descriptor_rest = 0;                        // with |q|^2/2
+  std::int16_t position_rest = 0;                          // without
+  // Constraint 1 fails for certain where half the squared distance, less |q|^2/2, is this or more: among
+  // exact positions, and among others.
+  std::array<std::int16_t, 2> position_limits{};
+  float error = 0;                // of both codes, in distance codes
+  std::uint8_t first_column = 0;  // that may hold admissible candidates
+  std::uint8_t last_column = 0;
+};
+
+inline constexpr std::size_t grades = 4;
+inline constexpr double grade_ratio = 1.12;
+// For each grade g a bit for each image whose similarity may reach threshold * grade_ratio^g.
+using Passing = std::array<std::uint64_t, grades>;
+
+// What screening knows of the query.
+class ScreenQuery {
+ public:
+  // The query has at least one region and can_be_bounded.
+  ScreenQuery(const Signature& query, const MatchConfig& config);
+
+  // From now on asks for similarities of at least `threshold` > 0, and of grades above it.
+  void set_threshold(double threshold);
+
+  [[nodiscard]] Passing passing(const Block& block);
+
+  // For the kernel.
+  std::vector<ScreenRegion> regions;                      // by column
+  std::int16_t position_zeros = 0;                        // two bytes
+  bool exact_positions = true;                            // of the query
+  float scale = 0;                                        // distance codes (0 .. 255) in a step
+  std::vector<std::array<std::uint16_t, grades>> limits;  // of S_k, k = 1, 2, ..., in distance codes
+  SortingNetwork network;
+
+ private:
+  Method method_;
+  std::vector<double> errors_;  // of the codes of `regions`
+  std::vector<std::uint8_t> work_;
+};
+
+}  // namespace sailmap::index

@@ -1,0 +1,11 @@
+// sailmap_bench [Google Benchmark's options]. Real images, where a benchmark uses them, come from
+// SAILMAP_DATA (default ../shared/data).
+#include "bench.hpp"
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  sailmap::bench::register_query();
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}

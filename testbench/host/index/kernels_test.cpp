@@ -1,0 +1,201 @@
+// The parts of the index: vectorised kernels against plain ones in every instruction set at hand, bounds
+// against what they bound.
+#include "index/kernels.hpp"
+
+#include <gmock/gmock.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+#include "host/index/random_maps.hpp"
+#include "index/estimate.hpp"
+#include "index/leaders.hpp"
+#include "index/plain_kernels.hpp"
+#include "index/region_code.hpp"
+#include "index/screen.hpp"
+#include "simulated_signatures.hpp"
+
+namespace sailmap::index {
+namespace {
+
+using sailmap::testing::RandomMaps;
+
+// Runs `test` once for each instruction set this processor and this build have.
+template <class Test>
+void for_each_target(const Test& test) {
+  const std::int64_t supported = hwy::SupportedTargets();
+  for (std::int64_t left = supported; left != 0; left &= left - 1) {
+    const std::int64_t target = left & -left;
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    test();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+std::vector<Signature> bounded_images(std::uint64_t seed, int count) {
+  RandomMaps random(seed);
+  std::vector<Signature> out;
+  for (const auto& views : random.map(count, false).nodes) {
+    if (can_be_bounded(views.front())) out.push_back(views.front());
+  }
+  return out;
+}
+
+TEST(IndexKernels, AllInstructionSetsScreenAlike) {
+  for_each_target([] {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      SCOPED_TRACE(seed);
+      RandomMaps random(seed);
+      const std::vector<Signature> images = bounded_images(seed, static_cast<int>(block_images));
+      Block block;
+      for (std::size_t lane = 0; lane < images.size(); ++lane) block.add(lane, images[lane]);
+      const Signature& query =
+          images[static_cast<std::size_t>(random.below(static_cast<int>(images.size())))];
+      if (query.regions.empty()) continue;
+      ScreenQuery screen(query, random.config());
+      for (const double threshold : {0.3, 1.0, 3.0, 20.0}) {
+        screen.set_threshold(threshold);
+        ASSERT_EQ(screen.passing(block), plain::screen(block, screen, nullptr));
+      }
+    }
+  });
+}
+
+TEST(IndexKernels, ScreeningNeverLosesAnImage) {
+  int lost = 0;
+  int spared = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomMaps random(seed);
+    const std::vector<Signature> images = bounded_images(seed, static_cast<int>(block_images));
+    Block block;
+    for (std::size_t lane = 0; lane < images.size(); ++lane) block.add(lane, images[lane]);
+    const MatchConfig config = random.config();
+    if (images.front().regions.empty()) continue;
+    ScreenQuery screen(images.front(), config);
+    for (const double threshold : {0.2, 0.5, 1.0, 2.0, 4.0, 8.0}) {
+      screen.set_threshold(threshold);
+      const Passing passing = screen.passing(block);
+      for (std::size_t lane = 0; lane < images.size(); ++lane) {
+        const double similarity = match(images.front(), images[lane], config).similarity;
+        for (std::size_t grade = 0; grade < grades; ++grade) {
+          const bool passes = ((passing[grade] >> lane) & 1U) != 0;
+          const bool reaches = similarity >= threshold * std::pow(grade_ratio, static_cast<double>(grade));
+          lost += reaches && !passes ? 1 : 0;
+          spared += passes ? 0 : 1;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(lost, 0);
+  EXPECT_GT(spared, 10000);  // or screening would be for nothing
+}
+
+TEST(IndexKernels, AllInstructionSetsEstimateTheSimilarity) {
+  for_each_target([] {
+    int estimated = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+      SCOPED_TRACE(seed);
+      RandomMaps random(seed);
+      const std::vector<Signature> images = bounded_images(seed, 50);
+      const MatchConfig config = random.config();
+      Estimator estimate(images.front(), config);
+      for (const Signature& image : images) {
+        const double exact = match(images.front(), image, config).similarity;
+        const double found = estimate(image);
+        ASSERT_GE(found, exact);
+        if (!std::isfinite(found)) continue;
+        ++estimated;
+        ASSERT_LE(found, exact * 1.0002);
+      }
+    }
+    EXPECT_GT(estimated, 1000);
+  });
+}
+
+TEST(IndexKernels, TheSortingNetworkSorts) {
+  // A network that sorts all sequences of zeros and ones sorts all sequences.
+  for (std::size_t size = 0; size <= 14; ++size) {
+    const SortingNetwork network = sorting_network(size);
+    for (std::uint32_t sequence = 0; sequence < (1U << size); ++sequence) {
+      std::uint32_t bits = sequence;
+      for (const auto& [i, j] : network) {
+        const std::uint32_t both = (bits >> i) & (bits >> j) & 1U;
+        const std::uint32_t either = ((bits >> i) | (bits >> j)) & 1U;
+        bits = (bits & ~(1U << i) & ~(1U << j)) | (both << i) | (either << j);
+      }
+      ASSERT_EQ(bits & (bits + (bits & (~bits + 1U))) & ((1U << size) - 1U), 0U) << size << ' ' << sequence;
+      for (std::size_t i = 1; i < size; ++i) ASSERT_LE((bits >> (i - 1)) & 1U, (bits >> i) & 1U);
+    }
+  }
+}
+
+TEST(RegionCode, StandsForWhatItsErrorSays) {
+  sailmap::testing::SimulatedWay way(5);
+  double largest = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Signature image = way.next();
+    const PositionGrid grid(image.width, image.height);
+    for (const Region& region : image.regions) {
+      const RegionCode code = encode(region, grid);
+      const Projection p = project(region.descriptor);
+      double squared = 0;
+      for (std::size_t k = 0; k < directions; ++k) {
+        const double error = p[k] - step * (code[k] - zero_code);
+        squared += error * error;
+      }
+      largest = std::max(largest, std::sqrt(squared));
+      EXPECT_NEAR(code_error(region.descriptor, code), std::sqrt(squared), 1e-9);
+      EXPECT_TRUE(is_exact(region, grid));
+      EXPECT_EQ(grid.middle[0] + 4 * (code[directions] - grid.zeros[0]), region.x);
+      EXPECT_EQ(grid.middle[1] + 4 * (code[directions + 1] - grid.zeros[1]), region.y);
+    }
+  }
+  EXPECT_LE(largest, largest_code_error);
+  EXPECT_GT(largest, 0.7 * largest_code_error);
+}
+
+TEST(RegionCode, ProjectionsAreNoFurtherApartThanDescriptors) {
+  std::mt19937 random(7);
+  std::normal_distribution<float> normal(0, 600);
+  for (int i = 0; i < 2000; ++i) {
+    Descriptor a, b;
+    for (std::size_t k = 0; k < feature_count; ++k) {
+      a[k] = normal(random);
+      b[k] = normal(random);
+    }
+    const Projection p = project(a);
+    const Projection q = project(b);
+    double projected = 0;
+    double full = 0;
+    for (std::size_t k = 0; k < directions; ++k) projected += (p[k] - q[k]) * (p[k] - q[k]);
+    for (std::size_t k = 0; k < feature_count; ++k) full += std::pow(static_cast<double>(a[k]) - b[k], 2);
+    ASSERT_LE(projected, full * (1 + 1e-12));
+  }
+}
+
+TEST(Leaders, TheThresholdIsNeverAboveTheRunnerUp) {
+  std::mt19937 random(11);
+  for (int run = 0; run < 300; ++run) {
+    const int nodes = std::uniform_int_distribution<int>(1, 60)(random);
+    const int same_place = std::uniform_int_distribution<int>(-1, 12)(random);
+    std::vector<Candidate> candidates;
+    for (int node = 0; node < nodes; ++node) {
+      candidates.push_back({node, static_cast<double>(std::uniform_int_distribution<int>(0, 9)(random))});
+    }
+    const Ranking expected = rank(candidates, same_place);
+    Leaders leaders(same_place);
+    std::shuffle(candidates.begin(), candidates.end(), random);
+    for (const Candidate& candidate : candidates) {
+      leaders.add(candidate);
+      ASSERT_LE(leaders.threshold(), expected.runner_up.similarity);
+    }
+    ASSERT_EQ(leaders.ranking(nodes), expected);
+  }
+}
+
+}  // namespace
+}  // namespace sailmap::index
