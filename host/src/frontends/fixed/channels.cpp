@@ -73,7 +73,7 @@ HWY_INLINE void pixels(const std::uint8_t* from, int x, const std::array<Sample*
   hn::StoreU(hn::Sub(hn::BitCast(d_signed, s), hn::Set(d_signed, grey_bias)), d_signed, rows[intensity] + x);
   const auto k = reciprocals(s);
   // 2r - g - b = 3r - s; a saturated difference is cut at 0.
-  const auto doubled = [&](Vector v) { return hn::SaturatedSub(hn::Add(hn::Add(v, v), v), s); };
+  const auto doubled = [&](Vector v) HWY_ATTR { return hn::SaturatedSub(hn::Add(hn::Add(v, v), v), s); };
   store_colour(k, doubled(r), rows[red] + x);
   store_colour(k, doubled(g), rows[green] + x);
   store_colour(k, doubled(b), rows[blue] + x);

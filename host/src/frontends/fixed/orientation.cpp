@@ -66,7 +66,7 @@ HWY_INLINE void store_columns(const RowPairs& rows, const Taps& filter, std::int
   const Lanes16 d;
   const auto unbias = hn::Set(Lanes32(), bias * filter.sum);
   using Sum = hls::Exactly<31, formats::intensity::fraction, hls::Sign::is_signed>;
-  const auto column = [&](hn::Vec<Lanes32> sum) {
+  const auto column = [&](hn::Vec<Lanes32> sum) HWY_ATTR {
     return requantise_lanes<Sum, formats::gabor_column>(hn::Add(sum, unbias));
   };
   // Packs by blocks, as interleaving took them apart.
