@@ -116,18 +116,21 @@ HWY_INLINE hn::Vec<Words32> response(hn::Vec<Lanes32> sum) {
 
 // hls::gabor_energy. Products have 35 bits: the responses are split in two, and what the lower parts carry
 // to the upper is added there; the last bits of the sum only decide the rounding.
-HWY_INLINE hn::Vec<Lanes32> energy(int orientation, hn::Vec<Lanes32> even_sum, hn::Vec<Lanes32> odd_sum) {
+template <int Index>
+HWY_INLINE hn::Vec<Lanes32> energy(hn::Vec<Lanes32> even_sum, hn::Vec<Lanes32> odd_sum) {
   constexpr int lower_bits = formats::gabor_response::word / 2;
   constexpr int shift =
       formats::gabor_response::fraction + formats::gabor_scale::fraction - formats::gabor_energy::fraction;
   static_assert(formats::gabor_energy::rounding == hls::Rounding::rnd);
   static_assert(shift > lower_bits &&
                 formats::gabor_response::word - lower_bits + formats::gabor_scale::word + 1 <= 31);
+  constexpr std::uint32_t even_factor = hls::gabor_scale(gabor::even_scale(Index));
+  constexpr std::uint32_t odd_factor = hls::gabor_scale(gabor::odd_scale(Index));
   const Words32 d;
   const auto even = response(even_sum);
   const auto odd = response(odd_sum);
-  const auto even_scale = hn::Set(d, hls::gabor_scale(gabor::even_scale(orientation)));
-  const auto odd_scale = hn::Set(d, hls::gabor_scale(gabor::odd_scale(orientation)));
+  const auto even_scale = hn::Set(d, even_factor);
+  const auto odd_scale = hn::Set(d, odd_factor);
   const auto lower_mask = hn::Set(d, (1U << lower_bits) - 1);
   const auto lower =
       hn::Add(hn::Mul(hn::And(even, lower_mask), even_scale), hn::Mul(hn::And(odd, lower_mask), odd_scale));
@@ -152,11 +155,11 @@ HWY_INLINE Energies energies_at(const PaddedPlane<std::int16_t>& columns, int x,
   const auto sc = cosine.sum(filters.sine);
   const auto cs = sine.sum(filters.cosine);
   Energies out;
-  out.at[0] = energy(0, gauss.sum(filters.even), gauss.sum(filters.odd));
-  out.at[1] = energy(1, hn::Sub(cc_gg, ss), hn::Add(sc, cs));
-  out.at[2] = energy(2, ColumnPairs(columns.row(Orientation::even), x).sum(filters.gauss),
-                     ColumnPairs(columns.row(Orientation::odd), x).sum(filters.gauss));
-  out.at[3] = energy(3, hn::Add(cc_gg, ss), hn::Sub(cs, sc));
+  out.at[0] = energy<0>(gauss.sum(filters.even), gauss.sum(filters.odd));
+  out.at[1] = energy<1>(hn::Sub(cc_gg, ss), hn::Add(sc, cs));
+  out.at[2] = energy<2>(ColumnPairs(columns.row(Orientation::even), x).sum(filters.gauss),
+                        ColumnPairs(columns.row(Orientation::odd), x).sum(filters.gauss));
+  out.at[3] = energy<3>(hn::Add(cc_gg, ss), hn::Sub(cs, sc));
   return out;
 }
 

@@ -28,6 +28,9 @@ class PaddedPlane {
     stride_ = (width + line - 1) / line * line + 2 * margin;
     const std::ptrdiff_t rows = height + std::ptrdiff_t{2} * extra_rows_;
     memory_.assign(static_cast<std::size_t>(rows * stride_ + line), fill_);
+    const auto address = reinterpret_cast<std::size_t>(memory_.data());  // NOLINT(*-reinterpret-cast)
+    const std::size_t to_line = (cache_line - address % cache_line) % cache_line / sizeof(T);
+    origin_ = static_cast<std::ptrdiff_t>(to_line) + margin + extra_rows_ * stride_;
   }
 
   [[nodiscard]] int width() const { return width_; }
@@ -43,17 +46,14 @@ class PaddedPlane {
   static constexpr int cache_line = 64;
   static_assert(margin * sizeof(T) % cache_line == 0);
 
-  [[nodiscard]] std::ptrdiff_t offset(int y) const {
-    const auto address = reinterpret_cast<std::size_t>(memory_.data());  // NOLINT(*-reinterpret-cast)
-    const std::size_t to_line = (cache_line - address % cache_line) % cache_line / sizeof(T);
-    return static_cast<std::ptrdiff_t>(to_line) + margin + (y + extra_rows_) * stride_;
-  }
+  [[nodiscard]] std::ptrdiff_t offset(int y) const { return origin_ + y * stride_; }
 
   int extra_rows_ = 0;
   T fill_{};
   int width_ = 0;
   int height_ = 0;
   std::ptrdiff_t stride_ = 0;
+  std::ptrdiff_t origin_ = 0;  // of row 0 in the memory
   std::vector<T> memory_;
 };
 
