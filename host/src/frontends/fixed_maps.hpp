@@ -39,7 +39,8 @@ void for_each_conspicuity_format(Use use) {
   use(hls::formats::orientation_conspicuity{}, std::size_t{2});
 }
 
-// The samples of `map` as raw integers of F, `width` x `height`, for the front end to fill.
+// The samples of `map` as raw integers of F, `width` x `height`, for the front end to fill; those of a frame
+// of the same size are still there.
 template <class F>
 Plane<typename F::native>& raw_samples(Map& map, int width, int height) {
   using Raw = Plane<typename F::native>;
@@ -47,7 +48,7 @@ Plane<typename F::native>& raw_samples(Map& map, int width, int height) {
   map.lsb = lsb_of<F>();
   map.format = F::name();
   Raw& samples = std::get<Raw>(map.samples);
-  samples.reset(width, height);
+  if (samples.width() != width || samples.height() != height) samples.reset(width, height);
   return samples;
 }
 

@@ -11,7 +11,7 @@ struct Entry {
   std::unique_ptr<Frontend> (*make)();
 };
 constexpr Entry entries[] = {
-    {"reference", make_reference}, {"quantised", make_quantised}, {"csim", make_csim}};
+    {"fixed", make_fixed}, {"reference", make_reference}, {"quantised", make_quantised}, {"csim", make_csim}};
 
 }  // namespace
 

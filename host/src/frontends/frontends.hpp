@@ -7,6 +7,7 @@
 
 namespace sailmap {
 
+std::unique_ptr<Frontend> make_fixed();
 std::unique_ptr<Frontend> make_reference();
 std::unique_ptr<Frontend> make_quantised();
 std::unique_ptr<Frontend> make_csim();

@@ -44,7 +44,9 @@ Descriptor describe(const Maps& maps, const Box& box, DescriptorKind kind) {
 
 Signature make_signature(const Maps& maps, const RegionConfig& config) {
   Signature signature{maps.image_width, maps.image_height, {}};
-  for (const Peak& peak : find_peaks(maps.saliency, config)) {
+  const std::vector<Peak> peaks = find_peaks(maps.saliency, config);
+  signature.regions.reserve(peaks.size());
+  for (const Peak& peak : peaks) {
     const Box box = region_box(peak, config.box_side, maps.saliency.width(), maps.saliency.height());
     signature.regions.push_back({static_cast<std::int16_t>(peak.x * hls::geometry::base_scale),
                                  static_cast<std::int16_t>(peak.y * hls::geometry::base_scale),

@@ -1,5 +1,7 @@
 #include "sailmap/maps.hpp"
 
+#include <type_traits>
+
 namespace sailmap {
 
 int Map::width() const {
@@ -17,11 +19,13 @@ double Map::at(int x, int y) const {
 double Map::mean(const Box& box) const {
   const double sum = std::visit(
       [&box](const auto& plane) {
-        double total = 0;
+        // Sums of integers are exact in either type.
+        using Sample = std::remove_cvref_t<decltype(plane.samples()[0])>;
+        std::conditional_t<std::is_integral_v<Sample>, std::uint64_t, double> total = 0;
         for (int y = box.y0; y < box.y1; ++y) {
-          for (int x = box.x0; x < box.x1; ++x) total += static_cast<double>(plane(x, y));
+          for (int x = box.x0; x < box.x1; ++x) total += plane(x, y);
         }
-        return total;
+        return static_cast<double>(total);
       },
       samples);
   return lsb * sum / box.area();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "highest.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/signature.hpp"
 
@@ -19,13 +20,6 @@ void check(const RegionConfig& config) {
   demand(config.inhibition_radius > 0, "inhibition_radius must be above 0");
 }
 
-// The first of the largest samples in raster order.
-Peak highest(const Plane<double>& map) {
-  const auto samples = map.samples();
-  const auto index = static_cast<int>(std::max_element(samples.begin(), samples.end()) - samples.begin());
-  return {index % map.width(), index / map.width(), samples[static_cast<std::size_t>(index)]};
-}
-
 // What is left of the saliency at squared distance d2 from a peak: all or nothing for the disk, a smooth dip
 // for the Gaussian.
 double remaining(double d2, const RegionConfig& config) {
@@ -34,25 +28,49 @@ double remaining(double d2, const RegionConfig& config) {
   return -std::expm1(-d2 / (2 * r2));
 }
 
-void inhibit(Plane<double>& map, const Peak& peak, const RegionConfig& config) {
-  if (config.inhibition == Inhibition::box) {
-    const Box box = region_box(peak, config.box_side, map.width(), map.height());
-    for (int y = box.y0; y < box.y1; ++y) {
-      for (int x = box.x0; x < box.x1; ++x) map(x, y) = 0;
-    }
-    return;
-  }
+// The rows and columns that the inhibition of a peak changes.
+Box inhibited_box(const Peak& peak, const RegionConfig& config, int width, int height) {
+  if (config.inhibition == Inhibition::box) return region_box(peak, config.box_side, width, height);
   // Nine sigma away a Gaussian dip is below the last bit of a double.
   const double reach =
       config.inhibition == Inhibition::disk ? config.inhibition_radius : 9 * config.inhibition_radius;
   const int r = static_cast<int>(std::min(std::ceil(reach), 1e6));
-  for (int y = std::max(0, peak.y - r); y <= std::min(map.height() - 1, peak.y + r); ++y) {
-    for (int x = std::max(0, peak.x - r); x <= std::min(map.width() - 1, peak.x + r); ++x) {
+  return {std::max(0, peak.x - r), std::max(0, peak.y - r), std::min(width, peak.x + r + 1),
+          std::min(height, peak.y + r + 1)};
+}
+
+template <class T>
+void inhibit(Plane<T>& map, const Peak& peak, const Box& box, const RegionConfig& config) {
+  for (int y = box.y0; y < box.y1; ++y) {
+    for (int x = box.x0; x < box.x1; ++x) {
+      if (config.inhibition == Inhibition::box) {
+        map(x, y) = 0;
+        continue;
+      }
       const double dx = x - peak.x;
       const double dy = y - peak.y;
-      map(x, y) *= remaining(dx * dx + dy * dy, config);
+      map(x, y) = static_cast<T>(map(x, y) * remaining(dx * dx + dy * dy, config));
     }
   }
+}
+
+// `lsb`: what a sample of 1 is worth.
+template <class T>
+std::vector<Peak> peaks_of(Plane<T> map, double lsb, const RegionConfig& config) {
+  Highest<T> highest(map);
+  std::vector<Peak> peaks;
+  peaks.reserve(static_cast<std::size_t>(std::min(config.max_regions, 64)));
+  while (static_cast<int>(peaks.size()) < config.max_regions) {
+    const auto [x, y] = highest.position();
+    const Peak peak{x, y, lsb * static_cast<double>(map(x, y))};
+    if (peak.saliency <= 0) break;
+    if (!peaks.empty() && peak.saliency <= peaks.front().saliency * config.stop_ratio) break;
+    peaks.push_back(peak);
+    const Box box = inhibited_box(peak, config, map.width(), map.height());
+    inhibit(map, peak, box, config);
+    highest.changed(box.y0, box.y1);
+  }
+  return peaks;
 }
 
 }  // namespace
@@ -65,16 +83,10 @@ Box region_box(const Peak& peak, int side, int map_width, int map_height) {
 
 std::vector<Peak> find_peaks(const Map& saliency, const RegionConfig& config) {
   check(config);
-  Plane<double> map = saliency.values();
-  std::vector<Peak> peaks;
-  while (static_cast<int>(peaks.size()) < config.max_regions) {
-    const Peak peak = highest(map);
-    if (peak.saliency <= 0) break;
-    if (!peaks.empty() && peak.saliency <= peaks.front().saliency * config.stop_ratio) break;
-    peaks.push_back(peak);
-    inhibit(map, peak, config);
-  }
-  return peaks;
+  // A Gaussian dip leaves fractions; otherwise samples stay what they are or become 0.
+  if (config.inhibition == Inhibition::gaussian) return peaks_of(saliency.values(), 1, config);
+  return std::visit([&](const auto& samples) { return peaks_of(samples, saliency.lsb, config); },
+                    saliency.samples);
 }
 
 }  // namespace sailmap

@@ -15,7 +15,7 @@ class Detect(ProgramCase):
         self.write_image("a.png", scene(1))
         self.assertIn("regions", self.run_program("detect", "a.png", "--out", "out"))
         found = self.json("out/regions.json")
-        self.assertEqual((found["width"], found["height"], found["frontend"]), (160, 120, "reference"))
+        self.assertEqual((found["width"], found["height"], found["frontend"]), (160, 120, "fixed"))
         self.assertGreater(len(found["regions"]), 2)
         for region in found["regions"]:
             self.assertEqual(len(region["descriptor"]), 10)
