@@ -34,9 +34,10 @@ struct ConsistentMatches {
   bool ambiguous = false;  // two candidates of a region were too near each other for single precision
 };
 
+// Memory of the kernel, kept from call to call.
 struct EstimateWork {
   std::vector<float> numbers;
-  std::vector<std::uint16_t> within_reach;  // numbers of candidates
+  std::vector<float> x, y;  // of the candidates
 };
 
 class Estimator {

@@ -1,12 +1,13 @@
-#include "kernels.hpp"
-
+// Screening, see screen.hpp: sixteen-bit arithmetic on the codes of 64 images.
 #include <algorithm>
-#include <cmath>
 
+#include "kernels.hpp"
 #include "plain_kernels.hpp"
 
+// Vectors of a size unknown to the compiler cannot be members of structs.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "index/kernels.cpp"
+#define HWY_TARGET_INCLUDE "index/screen_kernel.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -17,11 +18,6 @@ namespace HWY_NAMESPACE {
 
 Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
   return plain::screen(block, query, work);
-}
-
-ConsistentMatches consistent(const QueryLanes& lanes, const Region* candidates, std::size_t count,
-                             EstimateWork& work) {
-  return plain::consistent(lanes, candidates, count, work);
 }
 
 #else
@@ -216,123 +212,6 @@ Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* work)
   return passing;
 }
 
-namespace {
-
-using Floats = hn::CappedTag<float, lane_padding>;
-using FloatVector = hn::Vec<Floats>;
-
-// For a vector of query regions the nearest admissible candidate: squared distance, displacement.
-struct Nearest {
-  FloatVector least, dx, dy;
-  bool ambiguous;
-};
-
-HWY_INLINE Nearest nearest(const QueryLanes& lanes, std::size_t lane, const Region* candidates,
-                           const std::uint16_t* within_reach, std::size_t count) {
-  const Floats d;
-  const FloatVector largest = hn::Set(d, lanes.largest_squared_offset);
-  const FloatVector none = hn::Set(d, no_candidate);
-  const FloatVector x = hn::LoadU(d, lanes.x.data() + lane);
-  const FloatVector y = hn::LoadU(d, lanes.y.data() + lane);
-  FloatVector from[feature_count];
-  for (std::size_t i = 0; i < feature_count; ++i) from[i] = hn::LoadU(d, lanes.descriptor[i].data() + lane);
-  FloatVector least = none;
-  FloatVector second = none;
-  FloatVector least_dx = none;
-  FloatVector least_dy = none;
-  for (std::size_t k = 0; k < count; ++k) {
-    const Region& to = candidates[within_reach[k]];
-    const FloatVector dx = hn::Sub(x, hn::Set(d, to.x));
-    const FloatVector dy = hn::Sub(y, hn::Set(d, to.y));
-    const auto near = hn::Le(hn::MulAdd(dx, dx, hn::Mul(dy, dy)), largest);
-    FloatVector even = hn::Zero(d);
-    FloatVector odd = hn::Zero(d);
-    static_assert(feature_count % 2 == 0);
-    for (std::size_t i = 0; i < feature_count; i += 2) {
-      const auto a = hn::Sub(from[i], hn::Set(d, to.descriptor[i]));
-      const auto b = hn::Sub(from[i + 1], hn::Set(d, to.descriptor[i + 1]));
-      even = hn::MulAdd(a, a, even);
-      odd = hn::MulAdd(b, b, odd);
-    }
-    const FloatVector squared = hn::IfThenElse(near, hn::Add(even, odd), none);
-    const auto nearer = hn::Lt(squared, least);
-    second = hn::Min(second, hn::Max(squared, least));
-    least_dx = hn::IfThenElse(nearer, dx, least_dx);
-    least_dy = hn::IfThenElse(nearer, dy, least_dy);
-    least = hn::Min(least, squared);
-  }
-  const auto certain = hn::MulAdd(least, hn::Set(d, 1 + ambiguous_part), hn::Set(d, underflow));
-  const auto doubtful = hn::And(hn::Lt(least, none), hn::Le(second, certain));
-  return {least, least_dx, least_dy, !hn::AllFalse(d, doubtful)};
-}
-
-// The candidates whose columns are within reach, in their order. Without branches: whether one is cannot be
-// foretold.
-HWY_INLINE std::size_t list_within(const QueryLanes::Reach& reach, const Region* candidates,
-                                   std::size_t count, std::uint16_t* list) {
-  std::size_t size = 0;
-  for (std::size_t j = 0; j < count; ++j) {
-    const int x = candidates[j].x;
-    list[size] = static_cast<std::uint16_t>(j);
-    size += static_cast<std::size_t>(x >= reach.first) & static_cast<std::size_t>(x <= reach.last);
-  }
-  return size;
-}
-
-// How many displacements agree with (x, y).
-HWY_INLINE std::size_t supporters(const float* dx, const float* dy, std::size_t lanes, float x, float y,
-                                  float largest) {
-  const Floats d;
-  std::size_t count = 0;
-  for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
-    const FloatVector ex = hn::Sub(hn::LoadU(d, dx + lane), hn::Set(d, x));
-    const FloatVector ey = hn::Sub(hn::LoadU(d, dy + lane), hn::Set(d, y));
-    count += hn::CountTrue(d, hn::Le(hn::MulAdd(ex, ex, hn::Mul(ey, ey)), hn::Set(d, largest)));
-  }
-  return count;
-}
-
-}  // namespace
-
-ConsistentMatches consistent(const QueryLanes& lanes, const Region* candidates, std::size_t count,
-                             EstimateWork& work) {
-  const Floats d;
-  const std::size_t padded = lanes.x.size();
-  float* squared = work.numbers.data();
-  float* dx = squared + padded;
-  float* dy = dx + padded;
-  work.within_reach.resize(std::max(work.within_reach.size(), count + 1));
-  ConsistentMatches out;
-  for (std::size_t lane = 0; lane < padded; lane += hn::Lanes(d)) {
-    const std::size_t within =
-        list_within(lanes.reaches[lane / lane_padding], candidates, count, work.within_reach.data());
-    const Nearest found = nearest(lanes, lane, candidates, work.within_reach.data(), within);
-    if (found.ambiguous) return {0, 0, true};
-    hn::StoreU(found.least, d, squared + lane);
-    hn::StoreU(found.dx, d, dx + lane);
-    hn::StoreU(found.dy, d, dy + lane);
-  }
-  std::size_t most = 0;
-  std::size_t common = 0;
-  for (const std::size_t lane : lanes.order) {
-    if (squared[lane] >= no_candidate) continue;
-    const std::size_t support = supporters(dx, dy, padded, dx[lane], dy[lane], lanes.largest_squared_spread);
-    if (support > most) {
-      most = support;
-      common = lane;
-    }
-  }
-  if (most == 0) return out;
-  for (std::size_t lane = 0; lane < lanes.count; ++lane) {
-    const float ex = dx[lane] - dx[common];
-    const float ey = dy[lane] - dy[common];
-    if (squared[lane] >= no_candidate || ex * ex + ey * ey > lanes.largest_squared_spread) continue;
-    out.sum += std::sqrt(std::max(0.0F, squared[lane] - underflow));
-    ++out.count;
-  }
-  return out;
-}
-
 #endif  // HWY_SCALAR
 }  // namespace HWY_NAMESPACE
 }  // namespace sailmap::index
@@ -342,7 +221,6 @@ HWY_AFTER_NAMESPACE();
 namespace sailmap::index {
 
 HWY_EXPORT(screen);
-HWY_EXPORT(consistent);
 
 std::size_t work_bytes(std::size_t slots, std::size_t regions) {
   return (regions + 1 + 4 * slots) * block_images;
@@ -350,11 +228,6 @@ std::size_t work_bytes(std::size_t slots, std::size_t regions) {
 
 Passing screen_block(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
   return HWY_DYNAMIC_DISPATCH(screen)(block, query, work);
-}
-
-ConsistentMatches consistent_matches(const QueryLanes& lanes, const Region* candidates, std::size_t count,
-                                     EstimateWork& work) {
-  return HWY_DYNAMIC_DISPATCH(consistent)(lanes, candidates, count, work);
 }
 
 }  // namespace sailmap::index
