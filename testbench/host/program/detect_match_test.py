@@ -28,7 +28,7 @@ class Detect(ProgramCase):
 
     def test_maps_are_read_by_numpy_and_agree_with_the_regions(self):
         self.write_image("a.png", scene(2, 101, 75))
-        self.run_program("detect", "a.png", "--out", "out", "--save-maps")
+        self.run_program("detect", "a.png", "--frontend", "reference", "--out", "out", "--save-maps")
         maps = {name: np.load(self.folder / f"out/{name}.npy") for name in FEATURES + CONSPICUITIES + ["saliency"]}
         for name, array in maps.items():
             self.assertEqual(array.dtype, np.float64, name)

@@ -180,6 +180,7 @@ constexpr formats::normalised::native normalise(std::uint32_t value, const Gain&
   return static_cast<formats::normalised::native>((static_cast<std::uint64_t>(value * g.mantissa) << finer) >>
                                                   g.shift);
 }
+// Two entries of the table that happen to be equal. NOLINTNEXTLINE(misc-redundant-expression)
 static_assert(formats::normalised::fraction == formats::normalised_conspicuity::fraction,
               "one kernel serves both");
 

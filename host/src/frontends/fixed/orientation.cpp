@@ -20,7 +20,7 @@ namespace ranges = hls::ranges;
 
 constexpr int taps = gabor::taps;
 constexpr int radius = hls::geometry::gabor_radius;
-constexpr int pairs = (taps + 1) / 2;
+constexpr std::size_t pairs = (taps + 1) / 2;
 constexpr int border = 16;  // beyond which no column is looked at
 using Planes = std::array<EnergyPlane*, hls::geometry::orientation_maps>;
 
@@ -30,7 +30,7 @@ struct Taps {
   int sum;
 
   explicit Taps(const int (&filter)[taps]) : sum(gabor::sum(filter)) {
-    for (int k = 0; k < pairs; ++k) {
+    for (std::size_t k = 0; k < pairs; ++k) {
       weights[k] = pair_of_weights(filter[2 * k], 2 * k + 1 < taps ? filter[2 * k + 1] : 0);
     }
   }
@@ -45,7 +45,7 @@ struct RowPairs {
 
   HWY_INLINE RowPairs(const Sample* const (&rows)[taps], int x) {
     const Lanes16 d;
-    for (int k = 0; k < pairs; ++k) {
+    for (std::size_t k = 0; k < pairs; ++k) {
       const auto a = hn::LoadU(d, rows[2 * k] + x);
       const auto b = 2 * k + 1 < taps ? hn::LoadU(d, rows[2 * k + 1] + x) : hn::Zero(d);
       lower[k] = hn::InterleaveLower(d, a, b);
@@ -104,7 +104,8 @@ struct ColumnPairs {
 
   HWY_INLINE ColumnPairs(const std::int16_t* row, int x) {
     const Lanes16 d;
-    for (int k = 0; k < pairs; ++k) columns[k] = hn::LoadU(d, row + x - radius + 2 * k);
+    for (std::size_t k = 0; k < pairs; ++k)
+      columns[k] = hn::LoadU(d, row + x - radius + static_cast<std::ptrdiff_t>(2 * k));
   }
   HWY_INLINE hn::Vec<Lanes32> sum(const Taps& filter) const { return sum_of_pairs(columns, filter.weights); }
 };

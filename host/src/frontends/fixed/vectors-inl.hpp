@@ -45,13 +45,13 @@ HWY_INLINE hn::Vec<Lanes16> pair_of_weights(int even, int odd) {
 }
 
 // Lane i: the sum over k of samples[k][2i] weights[k][2i] + samples[k][2i+1] weights[k][2i+1].
-template <int Count>
+template <std::size_t Count>
 HWY_INLINE hn::Vec<Lanes32> sum_of_pairs(const hn::Vec<Lanes16> (&samples)[Count],
                                          const hn::Vec<Lanes16> (&weights)[Count]) {
   const Lanes32 d;
   auto even = hn::Zero(d);
   auto odd = hn::Zero(d);
-  for (int k = 0; k < Count; ++k) {
+  for (std::size_t k = 0; k < Count; ++k) {
     even = hn::ReorderWidenMulAccumulate(d, samples[k], weights[k], even, odd);
   }
   return hn::RearrangeToOddPlusEven(even, odd);
