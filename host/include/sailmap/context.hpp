@@ -2,11 +2,11 @@
 // (docs/recognition.md).
 #pragma once
 
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "sailmap/place_descriptor.hpp"
+#include "sailmap/signature.hpp"
 #include "sailmap/similarity.hpp"
 
 namespace sailmap {
@@ -22,9 +22,16 @@ MatchResult match_contexts(const PlaceDescriptor& query, const PlaceDescriptor& 
 // candidates.
 double context_score(double evidence, double typical);
 
-// The 40 candidates of best layout agreement are scored; all others get 0. `candidate(i)` gives the
-// descriptor that layouts[i] belongs to. One score a candidate.
-std::vector<float> score_contexts(const PlaceDescriptor& query, std::span<const Layout> layouts,
-                                  const std::function<const PlaceDescriptor&(std::size_t)>& candidate);
+// The 40 candidates of best layout agreement are scored; all others get 0. One score, 0 .. 1, a candidate; 0
+// throughout when the query has no region.
+std::vector<float> score_contexts(const PlaceDescriptor& query,
+                                  std::span<const PlaceDescriptor* const> candidates);
+
+// Two images alone, without others to compare with: match_contexts with a calibrated similarity.
+MatchResult match_places(const PlaceDescriptor& query, const PlaceDescriptor& candidate);
+
+// The signature with the regions that match_places numbers in place of the paper's (without their ten
+// numbers).
+Signature with_context_regions(const Signature& signature);
 
 }  // namespace sailmap

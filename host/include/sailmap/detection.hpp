@@ -23,7 +23,7 @@ std::string_view name(Reason reason);
 Reason reason_from_name(std::string_view name);  // throws Error
 
 // The threshold that fits a method's scale: the paper's 20 for `paper`; for `paper_weighted`, whose
-// similarities are smaller, one measured on real sequences (docs/decisions.md).
+// similarities are smaller, one measured on real sequences (docs/decisions.md); for `context` one half.
 double default_threshold(Method method);
 
 struct DetectionConfig {

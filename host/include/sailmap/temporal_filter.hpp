@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sailmap/ref/plane.hpp"
+#include "sailmap/similarity.hpp"
 
 namespace sailmap {
 
@@ -43,6 +44,12 @@ class TemporalFilter {
   double right_ = 0;  // decayed evidence for best candidates that were foretold ...
   double all_ = 0;    // ... and for all best candidates
 };
+
+// What fits a method: the scale is its default threshold, or none for `context`, whose scores are calibrated.
+TemporalConfig temporal_config(Method method, int images);
+
+// How many images the filter spans where it is on by default.
+inline constexpr int default_temporal_images = 10;
 
 // Row by row.
 Plane<float> filter_scores(const Plane<float>& scores, const TemporalConfig& config);

@@ -8,6 +8,7 @@
 #include "sailmap/detection.hpp"
 #include "sailmap/signature.hpp"
 #include "sailmap/similarity.hpp"
+#include "sailmap/temporal_filter.hpp"
 
 namespace sailmap {
 
@@ -31,6 +32,7 @@ struct MapConfig {
   // that closes a loop joins the node it closes with. Dense (the paper): a node is one image.
   bool sparse = false;
   double sparse_threshold = 20;  // similarity above which an image belongs to the active node
+  int temporal = 0;              // images that the temporal filter spans; 0: no filter
 };
 
 // One image that stands for a node.
@@ -63,7 +65,8 @@ struct Update {
 
 class TopologicalMap {
  public:
-  explicit TopologicalMap(MapConfig config = {}) : config_(config) {}
+  explicit TopologicalMap(MapConfig config = {})
+      : config_(config), filter_(temporal_config(config.match.method, config.temporal)) {}
   // A map as it was stored. Throws Error when the parts contradict each other.
   TopologicalMap(MapConfig config, std::vector<Node> nodes, std::vector<Edge> edges,
                  std::vector<Update> history, int active);
@@ -83,6 +86,7 @@ class TopologicalMap {
  private:
   [[nodiscard]] std::vector<Candidate> compare(const Signature& signature, int image) const;
   [[nodiscard]] bool belongs_to_active(const Signature& signature) const;
+  [[nodiscard]] std::vector<Candidate> compare_contexts(const Signature& signature, int image) const;
   void add_edge(int from, int to, EdgeKind kind);
 
   MapConfig config_;
@@ -90,6 +94,7 @@ class TopologicalMap {
   std::vector<Edge> edges_;
   std::vector<Update> history_;
   int active_ = -1;
+  TemporalFilter filter_;  // begins anew with a map that was stored
 };
 
 }  // namespace sailmap

@@ -41,10 +41,12 @@ std::vector<std::size_t> best_of(const std::vector<double>& agreements) {
   return order;
 }
 
+// The typical evidence among candidates of another place.
+constexpr double usual = 0.08;
+
 // What stands for the rivals' evidence: that of the candidate a quarter down the list, drawn towards what is
 // usual where there are few.
 double typical_evidence(std::vector<double> evidence) {
-  constexpr double usual = 0.08;
   constexpr double weight_of_usual = 20;
   std::erase_if(evidence, [](double e) { return !(e > 0); });
   if (evidence.empty()) return usual;
@@ -64,14 +66,14 @@ double context_score(double evidence, double typical) {
   return odds / (odds + 1);
 }
 
-std::vector<float> score_contexts(const PlaceDescriptor& query, std::span<const Layout> layouts,
-                                  const std::function<const PlaceDescriptor&(std::size_t)>& candidate) {
-  std::vector<float> scores(layouts.size(), 0.0F);
-  if (layouts.empty() || query.regions.empty()) return scores;
+std::vector<float> score_contexts(const PlaceDescriptor& query,
+                                  std::span<const PlaceDescriptor* const> candidates) {
+  std::vector<float> scores(candidates.size(), 0.0F);
+  if (candidates.empty() || query.regions.empty()) return scores;
   const context::LayoutQuery layout(query.layout);
   std::vector<double> agreements;
-  agreements.reserve(layouts.size());
-  for (const Layout& other : layouts) agreements.push_back(layout.agreement(other));
+  agreements.reserve(candidates.size());
+  for (const PlaceDescriptor* other : candidates) agreements.push_back(layout.agreement(other->layout));
   const Spread spread = spread_of(agreements);
   constexpr double weight = 0.2;
   const std::vector<std::size_t> proposed = best_of(agreements);
@@ -79,7 +81,7 @@ std::vector<float> score_contexts(const PlaceDescriptor& query, std::span<const 
   for (const std::size_t i : proposed) {
     // Few candidates, or all alike, have no spread worth the name.
     const double prominence = (agreements[i] - spread.mean) / (spread.deviation + 0.01);
-    evidence.push_back(match_contexts(query, candidate(i)).similarity *
+    evidence.push_back(match_contexts(query, *candidates[i]).similarity *
                        (1 + weight * std::clamp(prominence, -2.0, 4.0)));
   }
   const double typical = typical_evidence(evidence);
@@ -87,6 +89,22 @@ std::vector<float> score_contexts(const PlaceDescriptor& query, std::span<const 
     scores[proposed[k]] = static_cast<float>(context_score(evidence[k], typical));
   }
   return scores;
+}
+
+MatchResult match_places(const PlaceDescriptor& query, const PlaceDescriptor& candidate) {
+  MatchResult out = match_contexts(query, candidate);
+  out.similarity = context_score(out.similarity, usual);
+  return out;
+}
+
+Signature with_context_regions(const Signature& signature) {
+  Signature out = signature;
+  out.regions.clear();
+  for (const ContextRegion& region : signature.place.regions) {
+    out.regions.push_back(
+        {region.x * signature.width / 65535.0, region.y * signature.height / 65535.0, 0, {}});
+  }
+  return out;
 }
 
 }  // namespace sailmap

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <iterator>
+#include <limits>
 #include <string>
 
+#include "sailmap/detection.hpp"
 #include "sailmap/error.hpp"
 
 namespace sailmap {
@@ -110,6 +113,11 @@ std::vector<float> TemporalFilter::apply(std::span<const float> scores) {
   forward_ = std::move(forward);
   backward_ = std::move(backward);
   return out;
+}
+
+TemporalConfig temporal_config(Method method, int images) {
+  return {images,
+          method == Method::context ? std::numeric_limits<double>::infinity() : default_threshold(method)};
 }
 
 Plane<float> filter_scores(const Plane<float>& scores, const TemporalConfig& config) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "sailmap/context.hpp"
 #include "sailmap/error.hpp"
 
 namespace sailmap {
@@ -18,6 +19,17 @@ MatchResult best_match(const Signature& signature, const Node& node, const Match
     if (result.similarity > best.similarity) best = std::move(result);
   }
   return best;
+}
+
+std::vector<Candidate> filtered(std::vector<Candidate> candidates, TemporalFilter& filter) {
+  std::vector<float> scores;
+  for (const Candidate& candidate : candidates) scores.push_back(static_cast<float>(candidate.similarity));
+  const std::vector<float> mixed = filter.apply(scores);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    // An unfiltered similarity keeps its full precision.
+    if (mixed[i] != scores[i]) candidates[i].similarity = static_cast<double>(mixed[i]);
+  }
+  return candidates;
 }
 
 }  // namespace
@@ -36,7 +48,8 @@ TopologicalMap::TopologicalMap(MapConfig config, std::vector<Node> nodes, std::v
       nodes_(std::move(nodes)),
       edges_(std::move(edges)),
       history_(std::move(history)),
-      active_(active) {
+      active_(active),
+      filter_(temporal_config(config.match.method, config.temporal)) {
   const auto demand = [](bool holds, const std::string& fault) {
     if (!holds) throw Error("map contradicts itself: " + fault);
   };
@@ -76,7 +89,7 @@ const Update& TopologicalMap::add(std::string name, Signature signature) {
   Update update;
   update.image = images();
   update.name = name;
-  const std::vector<Candidate> candidates = compare(signature, update.image);
+  const std::vector<Candidate> candidates = filtered(compare(signature, update.image), filter_);
   update.detection = decide(candidates, config_.detection, [&](int node) {
     return best_match(signature, nodes_[static_cast<std::size_t>(node)], config_.match).matches;
   });
@@ -114,11 +127,32 @@ int TopologicalMap::loops() const {
 }
 
 std::vector<Candidate> TopologicalMap::compare(const Signature& signature, int image) const {
+  if (config_.match.method == Method::context) return compare_contexts(signature, image);
   std::vector<Candidate> candidates;
   for (const Node& node : nodes_) {
     // Nodes are numbered by age, so that all that follow are newer still.
     if (image - node.views.front().image <= config_.exclude_recent) break;
     candidates.push_back({node.id, best_match(signature, node, config_.match).similarity});
+  }
+  return candidates;
+}
+
+std::vector<Candidate> TopologicalMap::compare_contexts(const Signature& signature, int image) const {
+  std::vector<Candidate> candidates;
+  std::vector<const PlaceDescriptor*> places;
+  std::vector<std::size_t> node_of;
+  for (const Node& node : nodes_) {
+    if (image - node.views.front().image <= config_.exclude_recent) break;
+    candidates.push_back({node.id, 0});
+    for (const View& view : node.views) {
+      places.push_back(&view.signature.place);
+      node_of.push_back(candidates.size() - 1);
+    }
+  }
+  const std::vector<float> scores = score_contexts(signature.place, places);
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    double& similarity = candidates[node_of[i]].similarity;
+    similarity = std::max(similarity, static_cast<double>(scores[i]));
   }
   return candidates;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "sailmap/context.hpp"
 #include "sailmap/error.hpp"
 
 namespace sailmap {
@@ -26,6 +27,7 @@ void check(const Signature& query, const Signature& candidate, const MatchConfig
 }  // namespace
 
 MatchResult match(const Signature& query, const Signature& candidate, const MatchConfig& config) {
+  if (config.method == Method::context) return match_places(query.place, candidate.place);
   check(query, candidate, config);
   MatchResult out;
   out.matches = consistent_matches(query, candidate, nearest_matches(query, candidate, config), config);

@@ -50,6 +50,7 @@ Signature make_signature(const Maps& maps, const RegionConfig& config) {
                                  static_cast<double>(peak.y * hls::geometry::base_scale), peak.saliency,
                                  describe(maps, box, config.descriptor)});
   }
+  if (config.describe_place) signature.place = describe_place(maps);
   return signature;
 }
 
