@@ -18,6 +18,7 @@ void add_match(CLI::App& app);
 void add_run(CLI::App& app);
 void add_eval(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_perturb(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_map(CLI::App& app);
 void add_fabmap(CLI::App& app);

@@ -16,6 +16,7 @@
 #include "sailmap/figures.hpp"
 #include "sailmap/file.hpp"
 #include "sailmap/npy.hpp"
+#include "sailmap/temporal_filter.hpp"
 
 namespace sailmap::app {
 namespace {
@@ -93,6 +94,11 @@ Experiment experiment(const Options& options) {
     out.scores = score_sequence(queries.signatures, options.config.exclude_recent, options.config.match);
   }
   out.title += ", " + std::string(name(options.config.match.method));
+  if (options.config.temporal > 1) {
+    out.scores =
+        filter_scores(out.scores, temporal_config(options.config.match.method, options.config.temporal));
+    out.title += fmt::format(", temporal filter of {} images", options.config.temporal);
+  }
   return out;
 }
 
@@ -235,6 +241,7 @@ void add_eval(CLI::App& app) {
   add_frontend_option(*command, options->frontend);
   add_threshold_option(*command, options->config.detection.threshold);
   add_match_options(*command, options->config.match);
+  add_temporal_option(*command, options->config.temporal)->capture_default_str();
   add_region_options(*command, options->config.regions);
   const CLI::Option* side = command->get_option("--side");
   command->callback([options, command, side, exclude] {

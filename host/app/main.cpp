@@ -41,6 +41,7 @@ int parse_and_run(int argc, char** argv) {
   sailmap::app::add_run(app);
   sailmap::app::add_eval(app);
   sailmap::app::add_compare(app);
+  sailmap::app::add_perturb(app);
   sailmap::app::add_simulate(app);
   sailmap::app::add_map(app);
   sailmap::app::add_fabmap(app);

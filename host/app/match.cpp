@@ -9,6 +9,7 @@
 #include "describe_image.hpp"
 #include "map/config_json.hpp"
 #include "options.hpp"
+#include "sailmap/context.hpp"
 #include "sailmap/detection.hpp"
 #include "sailmap/figures.hpp"
 #include "sailmap/similarity.hpp"
@@ -47,13 +48,16 @@ void match_images(const Options& options) {
   const auto frontend = make_frontend(options.frontend);
   const DescribedImage a = describe_image(options.query, *frontend, options.config.regions);
   const DescribedImage b = describe_image(options.candidate, *frontend, options.config.regions);
+  const bool context = options.config.match.method == Method::context;
+  const Signature query = context ? with_context_regions(a.signature) : a.signature;
+  const Signature candidate = context ? with_context_regions(b.signature) : b.signature;
   const MatchResult result = match(a.signature, b.signature, options.config.match);
   Detection detection =
       decide({{0, result.similarity}}, options.config.detection, [&](int) { return result.matches; });
   if (a.signature.regions.empty() || b.signature.regions.empty()) detection.reason = Reason::no_regions;
-  const std::string verdict = explain(detection, result, options, a.signature, b.signature);
+  const std::string verdict = explain(detection, result, options, query, candidate);
   if (!options.out.empty()) {
-    write_image(options.out, match_figure(a.image, b.image, a.signature, b.signature, result,
+    write_image(options.out, match_figure(a.image, b.image, query, candidate, result,
                                           options.config.regions.box_side, verdict));
   }
   if (options.json) {

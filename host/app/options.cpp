@@ -78,8 +78,8 @@ OptionKeys add_region_options(CLI::App& command, RegionConfig& config) {
 
 OptionKeys add_match_options(CLI::App& command, MatchConfig& config) {
   OptionKeys keys;
-  keys["/match/method"] =
-      add_choice(command, "--method", config.method, "Similarity", {Method::paper, Method::paper_weighted});
+  keys["/match/method"] = add_choice(command, "--method", config.method, "Similarity",
+                                     {Method::paper, Method::paper_weighted, Method::context});
   keys["/match/search_radius"] =
       command
           .add_option("--search-radius", config.search_radius,
@@ -113,6 +113,7 @@ void settle_thresholds(const CLI::App& command, MapConfig& config) {
   if (command.get_option("--threshold")->count() == 0) config.detection.threshold = threshold;
   const CLI::Option* sparse = command.get_option_no_throw("--sparse-threshold");
   if (sparse == nullptr || sparse->count() == 0) config.sparse_threshold = threshold;
+  config.regions.describe_place = config.match.method == Method::context;
 }
 
 OptionKeys add_detection_options(CLI::App& command, DetectionConfig& config) {
@@ -138,6 +139,14 @@ OptionKeys add_detection_options(CLI::App& command, DetectionConfig& config) {
   return keys;
 }
 
+CLI::Option* add_temporal_option(CLI::App& command, int& images) {
+  return command
+      .add_option("--temporal", images,
+                  "Let the images just before speak too: how many; 0: each image for itself")
+      ->check(CLI::Range(0, 1000).description(""))
+      ->group(detection_group);
+}
+
 OptionKeys add_map_options(CLI::App& command, MapConfig& config) {
   OptionKeys keys;
   keys["/exclude_recent"] = command
@@ -153,6 +162,9 @@ OptionKeys add_map_options(CLI::App& command, MapConfig& config) {
       command.add_option("--sparse-threshold", config.sparse_threshold,
                          "Similarity above which an image joins the active node of a sparse map; default as "
                          "--threshold");
+  keys["/temporal"] =
+      add_temporal_option(command, config.temporal)
+          ->default_str(fmt::format("{} with the method context, else 0", default_temporal_images));
   for (const auto& [key, option] : keys) option->group(map_group);
   merge(keys, add_region_options(command, config.regions));
   merge(keys, add_match_options(command, config.match));

@@ -20,6 +20,7 @@
 #include "sailmap/error.hpp"
 #include "sailmap/image_source.hpp"
 #include "sailmap/map_store.hpp"
+#include "sailmap/temporal_filter.hpp"
 
 namespace sailmap::app {
 namespace {
@@ -75,11 +76,13 @@ ordered_json event_of(const Update& update, const TopologicalMap& map) {
 std::string line_of(const Update& update, const TopologicalMap& map) {
   const Detection& d = update.detection;
   const Node& node = map.nodes()[static_cast<std::size_t>(d.best.node)];
+  // Scores of the method context lie within 0 and 1.
+  const int digits = map.config().match.method == Method::context ? 3 : 1;
   std::string line = fmt::format(
-      "loop closure: image {} ({}) is at node {} ({}), similarity {:.1f}, {} regions matched", update.image,
-      update.name, node.id, node.views.front().name, d.best.similarity, d.matches.size());
+      "loop closure: image {} ({}) is at node {} ({}), similarity {:.{}f}, {} regions matched", update.image,
+      update.name, node.id, node.views.front().name, d.best.similarity, digits, d.matches.size());
   if (d.runner_up.node >= 0)
-    line += fmt::format("; runner-up node {} with {:.1f}", d.runner_up.node, d.runner_up.similarity);
+    line += fmt::format("; runner-up node {} with {:.{}f}", d.runner_up.node, d.runner_up.similarity, digits);
   return line;
 }
 
@@ -204,6 +207,8 @@ void add_run(CLI::App& app) {
   keys["/frontend"] = command->get_option("--frontend");
   command->callback([options, command, keys] {
     settle_thresholds(*command, options->config);
+    const bool context = options->config.match.method == Method::context;
+    if (context && keys.at("/temporal")->count() == 0) options->config.temporal = default_temporal_images;
     run(*options, keys);
   });
 }

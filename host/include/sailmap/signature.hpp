@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sailmap/maps.hpp"
+#include "sailmap/place_descriptor.hpp"
 
 namespace sailmap {
 
@@ -27,6 +28,7 @@ struct Signature {
   int width = 0;  // of the image, level-0 pixels
   int height = 0;
   std::vector<Region> regions;
+  PlaceDescriptor place{};  // for the method `context`; empty unless RegionConfig asks for it
   bool operator==(const Signature&) const = default;
 };
 
@@ -43,6 +45,7 @@ struct RegionConfig {
   Inhibition inhibition = Inhibition::box;
   double inhibition_radius = 5;  // disk: radius; gaussian: sigma; base-level pixels; > 0
   DescriptorKind descriptor = DescriptorKind::conspicuity;
+  bool describe_place = false;  // fill Signature::place too, which the method `context` compares
 };
 
 // The peak of one salient region, base-level pixels, and the saliency there.

@@ -8,7 +8,7 @@
 
 namespace sailmap {
 
-enum class Method { paper, paper_weighted };
+enum class Method { paper, paper_weighted, context };
 
 std::string_view name(Method method);
 // Throws Error for an unknown name.
@@ -46,7 +46,8 @@ std::vector<RegionMatch> consistent_matches(const Signature& query, const Signat
                                             const std::vector<RegionMatch>& matches,
                                             const MatchConfig& config);
 
-// Eq. 7. The images must have the same size, otherwise throws Error.
+// Eq. 7. The images must have the same size, otherwise throws Error. Method `context`: match_places, of any
+// size.
 MatchResult match(const Signature& query, const Signature& candidate, const MatchConfig& config);
 
 }  // namespace sailmap

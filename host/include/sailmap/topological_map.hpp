@@ -11,6 +11,7 @@
 #include "sailmap/place_index.hpp"
 #include "sailmap/signature.hpp"
 #include "sailmap/similarity.hpp"
+#include "sailmap/temporal_filter.hpp"
 
 namespace sailmap {
 
@@ -34,6 +35,7 @@ struct MapConfig {
   // that closes a loop joins the node it closes with. Dense (the paper): a node is one image.
   bool sparse = false;
   double sparse_threshold = 20;  // similarity above which an image belongs to the active node
+  int temporal = 0;              // images that the temporal filter spans; 0: no filter
 };
 
 // One image that stands for a node.
@@ -66,7 +68,8 @@ struct Update {
 
 class TopologicalMap {
  public:
-  explicit TopologicalMap(MapConfig config = {}) : config_(config) {}
+  explicit TopologicalMap(MapConfig config = {})
+      : config_(config), filter_(temporal_config(config.match.method, config.temporal)) {}
   // A map as it was stored. Throws Error when the parts contradict each other.
   TopologicalMap(MapConfig config, std::vector<Node> nodes, std::vector<Edge> edges,
                  std::vector<Update> history, int active);
@@ -85,11 +88,13 @@ class TopologicalMap {
 
  private:
   void advance_admissible(int image);
-  [[nodiscard]] Ranking compare(const Signature& signature) const;
+  [[nodiscard]] Ranking compare(const Signature& signature);
   [[nodiscard]] bool belongs_to_active(const Signature& signature) const;
   void add_node(View view);
   void add_view(int node, View view);
   void add_loop(int from, int to);
+  [[nodiscard]] bool uses_index() const;
+  [[nodiscard]] std::vector<Candidate> score_all(const Signature& signature) const;
 
   MapConfig config_;
   std::vector<Node> nodes_;
@@ -99,6 +104,7 @@ class TopologicalMap {
   int admissible_ = 0;                            // nodes 0 .. admissible_ - 1 are older than exclude_recent
   PlaceIndex index_;                              // all views
   std::unordered_set<std::uint64_t> loop_edges_;  // both ends in one number, see topological_map.cpp
+  TemporalFilter filter_;                         // begins anew with a map that was stored
 };
 
 }  // namespace sailmap

@@ -2,7 +2,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <span>
+#include <vector>
 
+#include "sailmap/context.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/evaluation.hpp"
 
@@ -14,7 +17,14 @@ template <class Admissible>
 Plane<float> score(const std::vector<Signature>& queries, const std::vector<Signature>& candidates,
                    const MatchConfig& config, Admissible admissible) {
   Plane<float> scores(static_cast<int>(candidates.size()), static_cast<int>(queries.size()), not_admissible);
+  std::vector<const PlaceDescriptor*> places;
+  for (const Signature& candidate : candidates) places.push_back(&candidate.place);
   tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t q) {
+    if (config.method == Method::context) {
+      const auto row = score_contexts(queries[q].place, std::span(places).first(admissible(q)));
+      for (std::size_t c = 0; c < row.size(); ++c) scores(static_cast<int>(c), static_cast<int>(q)) = row[c];
+      return;
+    }
     for (std::size_t c = 0; c < admissible(q); ++c) {
       scores(static_cast<int>(c), static_cast<int>(q)) =
           static_cast<float>(match(queries[q], candidates[c], config).similarity);

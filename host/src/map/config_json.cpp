@@ -64,7 +64,8 @@ ordered_json to_json(const MapConfig& config) {
           {"exclude_recent", config.exclude_recent},
           {"loop_edges", config.loop_edges},
           {"sparse", config.sparse},
-          {"sparse_threshold", config.sparse_threshold}};
+          {"sparse_threshold", config.sparse_threshold},
+          {"temporal", config.temporal}};
 }
 
 MapConfig map_config_from_json(const ordered_json& json) {
@@ -78,6 +79,7 @@ MapConfig map_config_from_json(const ordered_json& json) {
   config.regions.descriptor = descriptor_kind_from_name(r.at("descriptor").get<std::string>());
   const auto& m = json.at("match");
   config.match.method = method_from_name(m.at("method").get<std::string>());
+  config.regions.describe_place = config.match.method == Method::context;
   m.at("search_radius").get_to(config.match.search_radius);
   m.at("displacement_tolerance").get_to(config.match.displacement_tolerance);
   m.at("similarity_cap").get_to(config.match.similarity_cap);
@@ -90,6 +92,7 @@ MapConfig map_config_from_json(const ordered_json& json) {
   json.at("loop_edges").get_to(config.loop_edges);
   json.at("sparse").get_to(config.sparse);
   json.at("sparse_threshold").get_to(config.sparse_threshold);
+  config.temporal = json.value("temporal", 0);  // not in maps made before there was a filter
   return config;
 }
 
@@ -99,7 +102,10 @@ ordered_json to_json(const Signature& signature) {
     regions.push_back(
         {{"x", region.x}, {"y", region.y}, {"saliency", region.saliency}, {"descriptor", region.descriptor}});
   }
-  return {{"width", signature.width}, {"height", signature.height}, {"regions", std::move(regions)}};
+  ordered_json json = {
+      {"width", signature.width}, {"height", signature.height}, {"regions", std::move(regions)}};
+  if (signature.place != PlaceDescriptor{}) json["place"] = to_text(signature.place);
+  return json;
 }
 
 namespace {
@@ -133,6 +139,7 @@ Signature signature_from_json(const ordered_json& json) {
                                                         {}});
     for (std::size_t i = 0; i < feature_count; ++i) out.descriptor[i] = single_from_json(descriptor.at(i));
   }
+  if (json.contains("place")) signature.place = place_from_text(json.at("place").get<std::string>());
   return signature;
 }
 

@@ -42,7 +42,17 @@ Reason reason_from_name(std::string_view name) {
   throw Error("no reason '" + std::string(name) + "'");
 }
 
-double default_threshold(Method method) { return method == Method::paper ? DetectionConfig{}.threshold : 3; }
+double default_threshold(Method method) {
+  switch (method) {
+    case Method::paper:
+      return DetectionConfig{}.threshold;
+    case Method::paper_weighted:
+      return 3;
+    case Method::context:
+      return 0.3;
+  }
+  throw Error("unknown method number " + std::to_string(static_cast<int>(method)));
+}
 
 Ranking rank(const std::vector<Candidate>& candidates, int same_place_nodes) {
   Ranking out;

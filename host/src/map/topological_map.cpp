@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "sailmap/context.hpp"
 #include "sailmap/error.hpp"
 
 namespace sailmap {
@@ -27,6 +28,17 @@ std::uint64_t ends(int from, int to) {
   return (static_cast<std::uint64_t>(high) << 32U) | low;
 }
 
+std::vector<Candidate> filtered(std::vector<Candidate> candidates, TemporalFilter& filter) {
+  std::vector<float> scores;
+  for (const Candidate& candidate : candidates) scores.push_back(static_cast<float>(candidate.similarity));
+  const std::vector<float> mixed = filter.apply(scores);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    // An unfiltered similarity keeps its full precision.
+    if (mixed[i] != scores[i]) candidates[i].similarity = static_cast<double>(mixed[i]);
+  }
+  return candidates;
+}
+
 }  // namespace
 
 std::string_view name(EdgeKind kind) { return kind == EdgeKind::path ? "path" : "loop"; }
@@ -43,7 +55,8 @@ TopologicalMap::TopologicalMap(MapConfig config, std::vector<Node> nodes, std::v
       nodes_(std::move(nodes)),
       edges_(std::move(edges)),
       history_(std::move(history)),
-      active_(active) {
+      active_(active),
+      filter_(temporal_config(config.match.method, config.temporal)) {
   const auto demand = [](bool holds, const std::string& fault) {
     if (!holds) throw Error("map contradicts itself: " + fault);
   };
@@ -71,7 +84,7 @@ TopologicalMap::TopologicalMap(MapConfig config, std::vector<Node> nodes, std::v
   demand(count == 0 ? active_ == -1 : is_node(active_), "the active node does not exist");
   for (const Node& node : nodes_) {
     for (std::size_t v = 0; v < node.views.size(); ++v) {
-      index_.add({node.id, static_cast<int>(v)}, node.views[v].signature);
+      if (uses_index()) index_.add({node.id, static_cast<int>(v)}, node.views[v].signature);
     }
   }
   for (const Edge& edge : edges_) {
@@ -138,13 +151,46 @@ void TopologicalMap::advance_admissible(int image) {
   }
 }
 
-Ranking TopologicalMap::compare(const Signature& signature) const {
+// It knows the paper's similarities, and the temporal filter needs all scores.
+bool TopologicalMap::uses_index() const {
+  return config_.match.method != Method::context && config_.temporal < 2;
+}
+
+Ranking TopologicalMap::compare(const Signature& signature) {
+  if (!uses_index()) {
+    return rank(filtered(score_all(signature), filter_), config_.detection.same_place_nodes);
+  }
   if (admissible_ == 0) return {};
   return index_.find(signature, admissible_, config_.detection.same_place_nodes, config_.match,
                      [this](const PlaceIndex::Entry& entry) -> const Signature& {
                        const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
                        return node.views[static_cast<std::size_t>(entry.view)].signature;
                      });
+}
+
+// With all admissible nodes.
+std::vector<Candidate> TopologicalMap::score_all(const Signature& signature) const {
+  std::vector<Candidate> candidates;
+  std::vector<const PlaceDescriptor*> places;
+  std::vector<std::size_t> node_of;
+  for (int id = 0; id < admissible_; ++id) {
+    const Node& node = nodes_[static_cast<std::size_t>(id)];
+    candidates.push_back({id, 0});
+    if (config_.match.method != Method::context) {
+      candidates.back().similarity = best_match(signature, node, config_.match).similarity;
+      continue;
+    }
+    for (const View& view : node.views) {
+      places.push_back(&view.signature.place);
+      node_of.push_back(candidates.size() - 1);
+    }
+  }
+  const std::vector<float> scores = score_contexts(signature.place, places);
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    double& similarity = candidates[node_of[i]].similarity;
+    similarity = std::max(similarity, static_cast<double>(scores[i]));
+  }
+  return candidates;
 }
 
 bool TopologicalMap::belongs_to_active(const Signature& signature) const {
@@ -156,14 +202,14 @@ bool TopologicalMap::belongs_to_active(const Signature& signature) const {
 void TopologicalMap::add_node(View view) {
   Node node;
   node.id = static_cast<int>(nodes_.size());
-  index_.add({node.id, 0}, view.signature);
+  if (uses_index()) index_.add({node.id, 0}, view.signature);
   node.views.push_back(std::move(view));
   nodes_.push_back(std::move(node));
 }
 
 void TopologicalMap::add_view(int node, View view) {
   std::vector<View>& views = nodes_[static_cast<std::size_t>(node)].views;
-  index_.add({node, static_cast<int>(views.size())}, view.signature);
+  if (uses_index()) index_.add({node, static_cast<int>(views.size())}, view.signature);
   views.push_back(std::move(view));
 }
 

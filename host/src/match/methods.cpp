@@ -10,7 +10,8 @@ struct Entry {
   std::string_view name;
   Method method;
 };
-constexpr Entry entries[] = {{"paper_weighted", Method::paper_weighted}, {"paper", Method::paper}};
+constexpr Entry entries[] = {
+    {"paper_weighted", Method::paper_weighted}, {"paper", Method::paper}, {"context", Method::context}};
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "match/check.hpp"
+#include "sailmap/context.hpp"
 #include "sailmap/error.hpp"
 
 namespace sailmap {
@@ -27,6 +28,7 @@ void check_match_config(const MatchConfig& config) {
 }
 
 MatchResult match(const Signature& query, const Signature& candidate, const MatchConfig& config) {
+  if (config.method == Method::context) return match_places(query.place, candidate.place);
   check_same_size(query, candidate);
   check_match_config(config);
   MatchResult out;

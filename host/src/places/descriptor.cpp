@@ -52,6 +52,7 @@ Signature make_signature(const Maps& maps, const RegionConfig& config) {
                                  static_cast<std::int16_t>(peak.y * hls::geometry::base_scale),
                                  static_cast<float>(peak.saliency), describe(maps, box, config.descriptor)});
   }
+  if (config.describe_place) signature.place = describe_place(maps);
   return signature;
 }
 

@@ -1,0 +1,145 @@
+// Which regions of two images have the same surroundings.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+
+#include "popcount.hpp"
+#include "sailmap/context.hpp"
+
+namespace sailmap {
+namespace {
+
+// Lengths in parts of the diagonal of an image of 4:3.
+constexpr float width = 0.8F;
+constexpr float height = 0.6F;
+constexpr float search_radius = 0.6F;
+constexpr float displacement_tolerance = 0.15F;
+// Contexts of other places agree by chance up to about here.
+constexpr float chance_agreement = 0.13F;
+constexpr unsigned all_maps = (1U << feature_count) - 1;
+constexpr int context_bits = ContextRegion::side * ContextRegion::side;
+
+struct Point {
+  float x, y;
+};
+
+Point position(const ContextRegion& region) {
+  return {static_cast<float>(region.x) / 65535 * width, static_cast<float>(region.y) / 65535 * height};
+}
+
+float squared(const Point& a, const Point& b) {
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+}
+
+std::vector<Point> positions(const PlaceDescriptor& place) {
+  std::vector<Point> out;
+  for (const ContextRegion& region : place.regions) out.push_back(position(region));
+  return out;
+}
+
+struct Agreements {
+  std::size_t queries, candidates;
+  std::vector<float> values;  // -1 .. 1; below that where the regions are too far apart
+  [[nodiscard]] float at(std::size_t i, std::size_t j) const { return values[i * candidates + j]; }
+};
+
+// Bits in which the maps that say something in both regions differ.
+inline int differing(const ContextRegion& a, const ContextRegion& b, unsigned common) {
+  int count = 0;
+  if (common == all_maps) {
+    for (std::size_t m = 0; m < feature_count; ++m) count += std::popcount(a.bits[m] ^ b.bits[m]);
+    return count;
+  }
+  for (std::size_t m = 0; m < feature_count; ++m) {
+    if (((common >> m) & 1U) != 0) count += std::popcount(a.bits[m] ^ b.bits[m]);
+  }
+  return count;
+}
+
+SAILMAP_POPCOUNT_CLONES
+void compare(const PlaceDescriptor& query, const PlaceDescriptor& candidate, const std::vector<Point>& from,
+             const std::vector<Point>& to, std::vector<float>& values) {
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const ContextRegion& a = query.regions[i];
+    const int maps_of_a = std::popcount(static_cast<unsigned>(a.varied));
+    for (std::size_t j = 0; j < to.size(); ++j, ++k) {
+      if (squared(from[i], to[j]) > search_radius * search_radius) continue;
+      const ContextRegion& b = candidate.regions[j];
+      const unsigned common = a.varied & b.varied;
+      const int maps_of_both = std::popcount(common);
+      if (maps_of_both == 0) continue;
+      const int agreeing = context_bits * maps_of_both - 2 * differing(a, b, common);
+      const int maps_of_b = std::popcount(static_cast<unsigned>(b.varied));
+      // A map that says something in one region only counts against the match: the correlation of signs.
+      const float scale = maps_of_a == maps_of_b ? static_cast<float>(maps_of_a)
+                                                 : std::sqrt(static_cast<float>(maps_of_a * maps_of_b));
+      values[k] = static_cast<float>(agreeing) / (context_bits * scale);
+    }
+  }
+}
+
+// Pairs each of which is the other's best, with an agreement that is no chance; `distance` is 1 - agreement.
+std::vector<RegionMatch> mutual_matches(const Agreements& agreements) {
+  std::vector<std::size_t> best_query(agreements.candidates, 0);
+  for (std::size_t i = 1; i < agreements.queries; ++i) {
+    for (std::size_t j = 0; j < agreements.candidates; ++j) {
+      if (agreements.at(i, j) > agreements.at(best_query[j], j)) best_query[j] = i;
+    }
+  }
+  std::vector<RegionMatch> matches;
+  for (std::size_t i = 0; i < agreements.queries; ++i) {
+    std::size_t best = 0;
+    for (std::size_t j = 1; j < agreements.candidates; ++j) {
+      if (agreements.at(i, j) > agreements.at(i, best)) best = j;
+    }
+    const float agreement = agreements.at(i, best);
+    if (best_query[best] == i && agreement > chance_agreement) {
+      matches.push_back({static_cast<int>(i), static_cast<int>(best), 1 - static_cast<double>(agreement)});
+    }
+  }
+  return matches;
+}
+
+float strength(const RegionMatch& match) { return static_cast<float>(1 - match.distance) - chance_agreement; }
+
+}  // namespace
+
+MatchResult match_contexts(const PlaceDescriptor& query, const PlaceDescriptor& candidate) {
+  MatchResult out;
+  if (query.regions.empty() || candidate.regions.empty()) return out;
+  const std::vector<Point> from = positions(query);
+  const std::vector<Point> to = positions(candidate);
+  Agreements agreements{from.size(), to.size(), std::vector<float>(from.size() * to.size(), -2.0F)};
+  compare(query, candidate, from, to, agreements.values);
+  const std::vector<RegionMatch> matches = mutual_matches(agreements);
+
+  std::vector<Point> displacements;
+  for (const RegionMatch& match : matches) {
+    const Point& a = from[static_cast<std::size_t>(match.query)];
+    const Point& b = to[static_cast<std::size_t>(match.candidate)];
+    displacements.push_back({b.x - a.x, b.y - a.y});
+  }
+  constexpr float reach = displacement_tolerance * displacement_tolerance;
+  float most = 0;
+  std::size_t common = 0;
+  for (std::size_t k = 0; k < matches.size(); ++k) {
+    float sum = 0;
+    for (std::size_t other = 0; other < matches.size(); ++other) {
+      if (squared(displacements[k], displacements[other]) < reach) sum += strength(matches[other]);
+    }
+    if (sum > most) {
+      most = sum;
+      common = k;
+    }
+  }
+  for (std::size_t k = 0; k < matches.size(); ++k) {
+    if (squared(displacements[common], displacements[k]) < reach) out.matches.push_back(matches[k]);
+  }
+  const auto pairs = static_cast<float>(from.size() * to.size());
+  out.similarity = static_cast<double>(most / (std::sqrt(pairs) * (1 - chance_agreement)));
+  return out;
+}
+
+}  // namespace sailmap

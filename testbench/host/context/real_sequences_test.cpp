@@ -1,0 +1,69 @@
+// The figures of docs/recognition.md, a little below: real sequences, one configuration.
+#include <gtest/gtest.h>
+#include <tbb/parallel_for.h>
+
+#include "sailmap/detection.hpp"
+#include "sailmap/evaluation.hpp"
+#include "sailmap/frontend.hpp"
+#include "sailmap/image_source.hpp"
+#include "sailmap/temporal_filter.hpp"
+#include "sailmap_data.hpp"
+
+namespace sailmap {
+namespace {
+
+std::vector<Signature> describe_all(const std::filesystem::path& folder) {
+  const auto paths = list_images(folder.string());
+  std::vector<Signature> out(paths.size());
+  RegionConfig config;
+  config.describe_place = true;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, paths.size(), 20), [&](const auto& range) {
+    const auto frontend = make_frontend("quantised");
+    Maps maps;
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const cv::Mat image = read_image(paths[i]);
+      frontend->compute(view_of(image), maps);
+      out[i] = make_signature(maps, config);
+    }
+  });
+  return out;
+}
+
+struct Figures {
+  double average_precision, recall_at_100, precision, recall;
+};
+
+void expect_at_least(const Evaluation& e, const Figures& least) {
+  EXPECT_GE(e.average_precision, least.average_precision);
+  EXPECT_GE(e.recall_at_100, least.recall_at_100);
+  EXPECT_GE(e.fixed.precision, least.precision);
+  EXPECT_GE(e.fixed.recall, least.recall);
+}
+
+void expect_figures(const std::string& name, int exclude, const Figures& single, const Figures& filtered) {
+  const auto folder = testing::data_folder() / name;
+  const std::vector<Signature> images = describe_all(folder / "images");
+  const auto count = static_cast<int>(images.size());
+  const GroundTruth truth = read_text_ground_truth(folder / "ground_truth.txt", count, count);
+  MatchConfig config;
+  config.method = Method::context;
+  const Plane<float> scores = score_sequence(images, exclude, config);
+  const double threshold = default_threshold(Method::context);
+  expect_at_least(evaluate(scores, truth, threshold), single);
+  const Plane<float> sequences =
+      filter_scores(scores, temporal_config(Method::context, default_temporal_images));
+  expect_at_least(evaluate(sequences, truth, threshold), filtered);
+}
+
+TEST(RealSequences, Corridor) {
+  SAILMAP_NEEDS_DATA("rtabmap_corridor");
+  expect_figures("rtabmap_corridor", 20, {0.91, 0.65, 0.95, 0.88}, {0.98, 0.95, 0.95, 0.93});
+}
+
+TEST(RealSequences, GardensPoint) {
+  SAILMAP_NEEDS_DATA("gardens_point");
+  expect_figures("gardens_point", 50, {0.95, 0.4, 0.95, 0.74}, {0.985, 0.9, 0.95, 0.85});
+}
+
+}  // namespace
+}  // namespace sailmap
