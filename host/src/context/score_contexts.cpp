@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <numeric>
 #include <vector>
@@ -101,8 +102,10 @@ Signature with_context_regions(const Signature& signature) {
   Signature out = signature;
   out.regions.clear();
   for (const ContextRegion& region : signature.place.regions) {
-    out.regions.push_back(
-        {region.x * signature.width / 65535.0, region.y * signature.height / 65535.0, 0, {}});
+    const auto pixel = [](int position, int side) {
+      return static_cast<std::int16_t>(std::lround(position * side / 65535.0));
+    };
+    out.regions.push_back({pixel(region.x, signature.width), pixel(region.y, signature.height), 0, {}});
   }
   return out;
 }
