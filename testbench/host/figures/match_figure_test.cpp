@@ -24,7 +24,7 @@ cv::Mat flat(int width, int height, int grey) { return {height, width, CV_8UC3, 
 Signature regions_at(int width, int height, const std::vector<cv::Point>& places) {
   Signature s{width, height, {}};
   for (const cv::Point& at : places)
-    s.regions.push_back({static_cast<double>(at.x), static_cast<double>(at.y), 1, {}});
+    s.regions.push_back({static_cast<std::int16_t>(at.x), static_cast<std::int16_t>(at.y), 1, {}});
   return s;
 }
 
