@@ -2,12 +2,17 @@
 // scripts/vitis/testbench.hpp) and compares every word that comes out. C++17; no code of the kernels, and
 // none of Bambu's own test bench.
 //
-//   bench VECTORS SEED           SEED 0: no stalls; any other: random stalls on every stream
+//   bench VECTORS SEED [network]   SEED 0: no stalls; any other: random stalls on every stream
+//
+// A kernel is started for each call and says when it is done. The stages of a network start themselves again
+// as long as the start signal is there, so frames overlap: frames of one size are one run, and a reset goes
+// before another size.
 //
 // Checked: every word and the number of them in every call, that all input of a call was read and none of the
 // next, that a word stays as it is while it waits to be taken (AXI4-Stream), that calls follow each other at
 // once, and that something moves: `patience` cycles without a word are reported as a deadlock, with what each
-// stream waits for. Prints one line of JSON: cycles of each call and the faults. Exit code 0: all right, 1:
+// stream waits for. Prints one line of JSON: cycles of each call (of a network: from the last word
+// of the frame before to its own) and the faults. Exit code 0: all right, 1:
 // faults, 2: wrong use.
 #pragma once
 
@@ -99,6 +104,7 @@ struct Stream {
   Stalls stalls;
   std::vector<std::uint64_t> words;  // of all calls: to send, or expected
   std::vector<std::size_t> ends;     // behind the last word of each call
+  std::size_t limit = 0;             // of the words that may be sent now
   std::size_t done = 0;              // words sent or received
   bool offered = false;              // a word waits
   std::uint64_t offered_word = 0;
@@ -108,7 +114,8 @@ template <class Model>
 class Bench {
  public:
   Bench(int argc, char** argv) {
-    if (argc < 3) stop("usage: bench VECTORS SEED");
+    if (argc < 3) stop("usage: bench VECTORS SEED [network]");
+    network_ = argc > 3;
     calls_ = read_calls(argv[1]);
     seed_ = static_cast<std::uint32_t>(std::stoul(argv[2]));
     // Registers and memories start with random contents: nothing may depend on what was there before.
@@ -136,7 +143,11 @@ class Bench {
 
   int run() {
     reset();
-    for (std::size_t call = 0; call < calls_.size() && faults_.empty(); ++call) run_call(call);
+    if (!network_) {
+      offer(calls_.size());
+      for (std::size_t call = 0; call < calls_.size() && faults_.empty(); ++call) run_call(call);
+    }
+    for (std::size_t call = 0; network_ && call < calls_.size() && faults_.empty();) call = run_frames(call);
     for (int i = 0; i < 100 && faults_.empty(); ++i) cycle();  // nothing may follow
     if (faults_.empty()) check_counts(calls_.size() - 1);
     model_->final();
@@ -194,7 +205,7 @@ class Bench {
         continue;
       }
       // Once offered, a word stays.
-      stream.offered = stream.offered || (!pause && stream.done < stream.words.size());
+      stream.offered = stream.offered || (!pause && stream.done < stream.limit);
       *stream.valid = stream.offered ? 1 : 0;
       // Where nothing is offered the lines carry rubbish.
       stream.set_data(stream.offered ? stream.words[stream.done] : 0xa5a5a5a5a5a5a5a5U ^ now_);
@@ -235,12 +246,51 @@ class Bench {
     ++stream.done;
   }
 
-  void run_call(std::size_t call) {
+  // Words of the calls before `end` may be sent.
+  void offer(std::size_t end) {
+    for (Stream& stream : streams_) stream.limit = stream.ends[end - 1];
+  }
+
+  void set_scalars(std::size_t call) {
     for (const auto& scalar : scalars_) {
       const auto value = calls_[call].scalars.find(scalar.first);
       if (value == calls_[call].scalars.end()) stop("no scalar " + scalar.first);
       scalar.second(value->second);
     }
+  }
+
+  bool received(std::size_t call) const {
+    for (const Stream& stream : streams_) {
+      if (!stream.is_input && stream.done < stream.ends[call]) return false;
+    }
+    return true;
+  }
+
+  // All frames from `first` on that have its size; the number of the frame behind them.
+  std::size_t run_frames(std::size_t first) {
+    std::size_t end = first + 1;
+    while (end < calls_.size() && calls_[end].scalars == calls_[first].scalars) ++end;
+    reset();
+    set_scalars(first);
+    offer(end);
+    model_->start_port = 1;
+    last_move_ = now_;
+    for (std::size_t call = first; call < end && faults_.empty(); ++call) {
+      const std::uint64_t start = now_;
+      while (!received(call) && faults_.empty()) {
+        cycle();
+        if (now_ - last_move_ > patience) deadlock(call);
+      }
+      cycles_.push_back(now_ - start);
+    }
+    for (int i = 0; i < 100 && faults_.empty(); ++i) cycle();  // nothing may follow
+    model_->start_port = 0;
+    if (faults_.empty()) check_counts(end - 1);
+    return end;
+  }
+
+  void run_call(std::size_t call) {
+    set_scalars(call);
     const std::uint64_t start = now_;
     last_move_ = now_;
     model_->start_port = 1;
@@ -286,6 +336,7 @@ class Bench {
   std::unique_ptr<Model> model_;
   std::vector<Call> calls_;
   std::uint32_t seed_ = 0;
+  bool network_ = false;
   std::vector<Stream> streams_;
   std::vector<std::pair<std::string, std::function<void(std::uint32_t)>>> scalars_;
   std::uint64_t now_ = 0;

@@ -38,6 +38,11 @@ class Job:
     folder: Path
 
     @property
+    def is_network(self):
+        """Whether the top is a dataflow region; its stages then start themselves again (bench.hpp)."""
+        return "HLS dataflow" in self.top.source.read_text(encoding="utf-8")
+
+    @property
     def verilog(self):
         return self.folder / f"{self.top.name}.v"
 

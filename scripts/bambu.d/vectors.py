@@ -6,9 +6,10 @@ from pathlib import Path
 
 from job import ROOT, Fault, checked
 
-# Crops of real images, three frames of different size a call after another; widths fit every beat.
-CROPS = ((96, 80), (72, 67), (128, 64))
-FULL = (640, 480)  # of the frame whose cycles are counted
+# Crops of real images, one call after another; widths fit every beat. A kernel takes another size with each call; the
+# frames of a network overlap when they have one size.
+CROPS = {False: ((96, 80), (72, 67), (128, 64)), True: ((96, 80), (96, 80), (96, 80), (72, 67), (72, 67))}
+FULL = (640, 480)  # of the frames whose cycles are counted
 
 
 def data_folder():
@@ -38,9 +39,9 @@ def crop(image, size, path):
     cv2.imwrite(str(path), pixels[y:y + height, x:x + width])
 
 
-def noise(size, path):
+def noise(size, seed, path):
     """A frame of a linear congruential generator's bytes."""
-    state, samples = 1, bytearray()
+    state, samples = seed, bytearray()
     for _ in range(3 * size[0] * size[1]):
         state = (state * 1664525 + 1013904223) % 2**32
         samples.append(state >> 24)
@@ -72,21 +73,23 @@ class Vectors:
         return self.write(job, "small", [])
 
     def real(self, job):
-        """Three crops of real images; None where there are none."""
-        images = real_images()[:len(CROPS)]
-        if len(images) < len(CROPS):
+        """Crops of different real images; None where there are none."""
+        images = real_images()
+        sizes = CROPS[job.is_network]
+        if len(images) < len(sizes):
             return None
-        crops = [self.folder / f"crop-{width}x{height}.ppm" for width, height in CROPS]
-        for image, size, path in zip(images, CROPS, crops):
+        crops = [self.folder / f"crop-{i}-{width}x{height}.ppm" for i, (width, height) in enumerate(sizes)]
+        for image, size, path in zip(images, sizes, crops):
             crop(image, size, path)
         return self.write(job, "real", crops)
 
     def full(self, job):
-        """One frame of full size, real where there is one."""
-        path = self.folder / "full.ppm"
+        """A frame of full size, of a network three; real where there are images."""
         images = real_images()
-        if images:
-            crop(images[0], FULL, path)
-        else:
-            noise(FULL, path)
-        return self.write(job, "full", [path])
+        paths = [self.folder / f"full-{i}.ppm" for i in range(3 if job.is_network else 1)]
+        for i, path in enumerate(paths):
+            if images:
+                crop(images[i], FULL, path)
+            else:
+                noise(FULL, i, path)
+        return self.write(job, "full", paths)

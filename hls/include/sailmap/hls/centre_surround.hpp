@@ -2,10 +2,10 @@
 //
 // Streams, level `Level`, one pixel a word, raster order. In: intensity; green, blue, red, yellow as lanes.
 // Out: intensity on and off as lanes; the four colours' on as lanes. Formats: intensity, colour in;
-// intensity_contrast, colour_contrast out. Latency: 7 rows and 7 columns. II 1. Rows stand alone: a row takes
-// 14 words of filling and 7 of flushing. Maximum error against the exact contrast of the exact level:
-// accuracy::contrast_error; of the same samples: half a unit of the
-// output.
+// intensity_contrast, colour_contrast out. Latency: 7 rows and 7 columns. II 1 on the base level, 4 and 16 on
+// the coarser ones. Rows stand alone: a row takes 14 words of filling and 7 of flushing. Maximum error
+// against the exact contrast of the exact level: accuracy::contrast_error; of the same samples: half a unit
+// of the output.
 //
 // Box sums run: a column's sum takes in one pixel and lets one go a row, a window's sum one column sum a
 // column. The pixels that enter and leave are those of the newest row and of 4, 7 (the centre), 11 and 15
@@ -160,13 +160,36 @@ struct BoxWindow {
     small += enters - small_columns.push(enters);
     centre = centres.push(column.centre);
   }
-  uint32_t on() const {
-    return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), 1);
-  }
-  uint32_t off() const {
-    return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), -1);
+};
+
+// contrast() of the centre; the coarser levels have the time to take one channel after the other through it.
+template <int Level, bool IsBase = Level == geometry::base_level>
+struct Contrasts {
+  static uint32_t of(uint16_t centre, uint32_t small, uint32_t large, int sign) {
+    return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), sign);
   }
 };
+template <int Level>
+SAILMAP_SHARED uint32_t shared_contrast(uint16_t centre, uint32_t small, uint32_t large, bool off) {
+  const auto small_sum = static_cast<int32_t>(small & ((1U << formats::intensity_box_small::word) - 1));
+  const auto large_sum = static_cast<int32_t>(large & ((1U << formats::intensity_box_large::word) - 1));
+  return contrast(centre, small_sum, large_sum, off ? -1 : 1);
+}
+template <int Level>
+struct Contrasts<Level, false> {
+  static uint32_t of(uint16_t centre, uint32_t small, uint32_t large, int sign) {
+    return shared_contrast<Level>(centre, small, large, sign < 0);
+  }
+};
+
+template <int Level>
+inline uint32_t on_contrast(const BoxWindow& w) {
+  return Contrasts<Level>::of(w.centre, w.small, w.large, 1);
+}
+template <int Level>
+inline uint32_t off_contrast(const BoxWindow& w) {
+  return Contrasts<Level>::of(w.centre, w.small, w.large, -1);
+}
 
 template <class Config, int Level>
 void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<uint64_t>& on_off,
@@ -194,7 +217,7 @@ void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, str
     int x = 0;
 #pragma nounroll
     for (int i = 0; i < filling + w + radius; ++i) {
-      SAILMAP_PIPELINE
+      SAILMAP_PIPELINE_II(geometry::area_ratio(Level))
       if (i == 0 || (i > filling && i < filling + w)) {
         uint16_t grey = 0;
         uint64_t colour = 0;
@@ -217,9 +240,15 @@ void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, str
       w3.next(c3);
       w4.next(c4);
       if (y >= radius && i >= filling + radius) {
-        on_off.write(wide_pair(w0.on(), w0.off()));
-        green_blue.write(wide_pair(w1.on(), w2.on()));
-        red_yellow.write(wide_pair(w3.on(), w4.on()));
+        const uint32_t on = on_contrast<Level>(w0);
+        const uint32_t off = off_contrast<Level>(w0);
+        const uint32_t green = on_contrast<Level>(w1);
+        const uint32_t blue = on_contrast<Level>(w2);
+        const uint32_t red = on_contrast<Level>(w3);
+        const uint32_t yellow = on_contrast<Level>(w4);
+        on_off.write(wide_pair(on, off));
+        green_blue.write(wide_pair(green, blue));
+        red_yellow.write(wide_pair(red, yellow));
       }
     }
     slots.advance();

@@ -2,8 +2,9 @@
 //
 // Streams, level `Level`, one pixel a word, raster order. In: intensity. Out: the four energies as two pairs.
 // Formats: intensity in; gabor_column between the passes; gabor_energy out. Latency: 4 rows and 4 columns.
-// II 1. Rows stand alone: a row takes 4 words of flushing. Maximum error against the exact energies
-// of the exact level: accuracy::gabor_level_error.
+// II 1 on the base level, where a pixel has 4 or 16 of its pixels' time 4 or 16. Rows stand alone: a row
+// takes 8 words of filling and 4 of flushing. Maximum error against the exact energies of the exact level:
+// accuracy::gabor_level_error.
 //
 // Separable: five vertical filters on the raw pixels, then horizontal ones on their sums, of which the
 // orientations share the products. All coefficients are small constants, so that multiplications are shifts
@@ -25,14 +26,54 @@ struct NineTaps {
   int32_t a, b, c, d, e, f, g, h, i;
 };
 
-// Filters that read the same forwards and backwards, or change sign: half the multiplications.
-inline int32_t symmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
-  return taps[0] * (p.a + p.i) + taps[1] * (p.b + p.h) + taps[2] * (p.c + p.g) + taps[3] * (p.d + p.f) +
-         taps[4] * p.e;
+// Filters that read the same forwards and backwards, or change sign: half the multiplications. The base level
+// has its filters side by side.
+template <int Level, int Half, bool IsBase = Level == geometry::base_level>
+struct GaborFilter {
+  static int32_t symmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
+    return taps[0] * (p.a + p.i) + taps[1] * (p.b + p.h) + taps[2] * (p.c + p.g) + taps[3] * (p.d + p.f) +
+           taps[4] * p.e;
+  }
+  static int32_t antisymmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
+    return taps[0] * (p.a - p.i) + taps[1] * (p.b - p.h) + taps[2] * (p.c - p.g) + taps[3] * (p.d - p.f);
+  }
+};
+
+// A pixel or a column sum, for which 17 bits are enough. `Half` more keep the two filters apart: Bambu makes
+// one of two functions that do the same.
+template <int Half>
+inline int32_t few_bits(int32_t value) {
+  return (value << (15 - Half)) >> (15 - Half);
 }
-inline int32_t antisymmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
-  return taps[0] * (p.a - p.i) + taps[1] * (p.b - p.h) + taps[2] * (p.c - p.g) + taps[3] * (p.d - p.f);
+
+// The coarser levels have a quarter of its pixels and less: two filters each, which work through half of
+// them.
+template <int Level, int Half>
+SAILMAP_SHARED int32_t gabor_filter(bool antisymmetric, int16_t t0, int16_t t1, int16_t t2, int16_t t3,
+                                    int16_t t4, int32_t a, int32_t b, int32_t c, int32_t d, int32_t e,
+                                    int32_t f, int32_t g, int32_t h, int32_t i) {
+  const int32_t far4 = few_bits<Half>(antisymmetric ? -i : i);
+  const int32_t far3 = few_bits<Half>(antisymmetric ? -h : h);
+  const int32_t far2 = few_bits<Half>(antisymmetric ? -g : g);
+  const int32_t far1 = few_bits<Half>(antisymmetric ? -f : f);
+  return t0 * (few_bits<Half>(a) + far4) + t1 * (few_bits<Half>(b) + far3) + t2 * (few_bits<Half>(c) + far2) +
+         t3 * (few_bits<Half>(d) + far1) + t4 * few_bits<Half>(e);
 }
+
+template <int Level, int Half>
+struct GaborFilter<Level, Half, false> {
+  static int32_t symmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
+    return gabor_filter<Level, Half>(false, static_cast<int16_t>(taps[0]), static_cast<int16_t>(taps[1]),
+                                     static_cast<int16_t>(taps[2]), static_cast<int16_t>(taps[3]),
+                                     static_cast<int16_t>(taps[4]), p.a, p.b, p.c, p.d, p.e, p.f, p.g, p.h,
+                                     p.i);
+  }
+  static int32_t antisymmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
+    return gabor_filter<Level, Half>(true, static_cast<int16_t>(taps[0]), static_cast<int16_t>(taps[1]),
+                                     static_cast<int16_t>(taps[2]), static_cast<int16_t>(taps[3]), 0, p.a,
+                                     p.b, p.c, p.d, p.e, p.f, p.g, p.h, p.i);
+  }
+};
 
 inline void shift_in(NineTaps& taps, int32_t value) {
   taps.a = taps.b;
@@ -45,18 +86,6 @@ inline void shift_in(NineTaps& taps, int32_t value) {
   taps.h = taps.i;
   taps.i = value;
 }
-inline void fill_all(NineTaps& taps, int32_t value) {
-  taps.a = value;
-  taps.b = value;
-  taps.c = value;
-  taps.d = value;
-  taps.e = value;
-  taps.f = value;
-  taps.g = value;
-  taps.h = value;
-  taps.i = value;
-}
-
 // The eight rows above the newest, packed: lane 0 of `newer` is the last row, lane 3 of `older` the eighth
 // before.
 template <class Config, int Level>
@@ -77,6 +106,8 @@ struct GaborColumn {
 // Takes in a pixel of column x: `read`, or beyond the last row that row again.
 template <class Config, int Level>
 inline GaborColumn gabor_rows(uint16_t read, int x, int y, int h) {
+  using A = GaborFilter<Level, 0>;
+  using B = GaborFilter<Level, 1>;
   uint64_t* const newer = GaborRows<Config, Level>::newer;
   uint64_t* const older = GaborRows<Config, Level>::older;
   const uint64_t n = newer[x];
@@ -98,11 +129,11 @@ inline GaborColumn gabor_rows(uint16_t read, int x, int y, int h) {
   p.h = lane<0>(above);
   p.i = newest;
   GaborColumn out = {0, 0, 0, 0, 0};
-  out.even = gabor_column(symmetric(gabor::E, p));
-  out.odd = gabor_column(antisymmetric(gabor::O, p));
-  out.cosine = gabor_column(symmetric(gabor::C, p));
-  out.sine = gabor_column(antisymmetric(gabor::S, p));
-  out.gauss = gabor_column(symmetric(gabor::G, p));
+  out.even = gabor_column(A::symmetric(gabor::E, p));
+  out.odd = gabor_column(B::antisymmetric(gabor::O, p));
+  out.cosine = gabor_column(A::symmetric(gabor::C, p));
+  out.sine = gabor_column(B::antisymmetric(gabor::S, p));
+  out.gauss = gabor_column(A::symmetric(gabor::G, p));
   return out;
 }
 
@@ -110,20 +141,12 @@ inline GaborColumn gabor_rows(uint16_t read, int x, int y, int h) {
 struct GaborWindow {
   NineTaps even, odd, cosine, sine, gauss;
 
-  void next(bool first, const GaborColumn& column) {
-    if (first) {
-      fill_all(even, column.even);
-      fill_all(odd, column.odd);
-      fill_all(cosine, column.cosine);
-      fill_all(sine, column.sine);
-      fill_all(gauss, column.gauss);
-    } else {
-      shift_in(even, column.even);
-      shift_in(odd, column.odd);
-      shift_in(cosine, column.cosine);
-      shift_in(sine, column.sine);
-      shift_in(gauss, column.gauss);
-    }
+  void next(const GaborColumn& column) {
+    shift_in(even, column.even);
+    shift_in(odd, column.odd);
+    shift_in(cosine, column.cosine);
+    shift_in(sine, column.sine);
+    shift_in(gauss, column.gauss);
   }
 };
 
@@ -137,17 +160,22 @@ struct GaborEnergies {
 };
 
 // The sums are named filter along x, filter along y.
+template <int Level>
 inline GaborEnergies gabor_energies(const GaborWindow& w) {
-  const int32_t cc = symmetric(gabor::C, w.cosine);
-  const int32_t ss = antisymmetric(gabor::S, w.sine);
-  const int32_t gg = symmetric(gabor::G, w.gauss);
-  const int32_t sc = antisymmetric(gabor::S, w.cosine);
-  const int32_t cs = symmetric(gabor::C, w.sine);
+  using A = GaborFilter<Level, 0>;
+  using B = GaborFilter<Level, 1>;
+  const int32_t cc = A::symmetric(gabor::C, w.cosine);
+  const int32_t ss = B::antisymmetric(gabor::S, w.sine);
+  const int32_t gg = A::symmetric(gabor::G, w.gauss);
+  const int32_t sc = B::antisymmetric(gabor::S, w.cosine);
+  const int32_t cs = A::symmetric(gabor::C, w.sine);
+  const int32_t eg = B::symmetric(gabor::E, w.gauss);
+  const int32_t og = A::antisymmetric(gabor::O, w.gauss);
+  const int32_t ge = B::symmetric(gabor::G, w.even);
+  const int32_t go = A::symmetric(gabor::G, w.odd);
   GaborEnergies out = {0, 0};
-  out.ori_0_45 = wide_pair(energy(0, symmetric(gabor::E, w.gauss), antisymmetric(gabor::O, w.gauss)),
-                           energy(1, cc - ss - gg, sc + cs));
-  out.ori_90_135 = wide_pair(energy(2, symmetric(gabor::G, w.even), symmetric(gabor::G, w.odd)),
-                             energy(3, cc + ss - gg, cs - sc));
+  out.ori_0_45 = wide_pair(energy(0, eg, og), energy(1, cc - ss - gg, sc + cs));
+  out.ori_90_135 = wide_pair(energy(2, ge, go), energy(3, cc + ss - gg, cs - sc));
   return out;
 }
 
@@ -155,23 +183,26 @@ template <class Config, int Level>
 void orientation_energy(stream<uint16_t>& intensity, stream<uint64_t>& ori_0_45, stream<uint64_t>& ori_90_135,
                         uint16_t width, uint16_t height) {
   constexpr int radius = geometry::gabor_radius;
+  constexpr int filling = gabor::taps - 1;  // the first column once more, so often
   const int w = Config::columns(width, Level);
   const int h = Config::rows(height, Level);
+  GaborColumn column = {0, 0, 0, 0, 0};
+  GaborWindow window = GaborWindow();
 #pragma nounroll
   for (int y = 0; y < h + radius; ++y) {
-    GaborColumn column = {0, 0, 0, 0, 0};
-    GaborWindow window = GaborWindow();
+    int x = 0;
 #pragma nounroll
-    for (int x = 0; x < w + radius; ++x) {
-      SAILMAP_PIPELINE
-      if (x < w) {
+    for (int i = 0; i < filling + w + radius; ++i) {
+      SAILMAP_PIPELINE_II(geometry::area_ratio(Level))
+      if (i == 0 || (i > filling && i < filling + w)) {
         uint16_t read = 0;
         if (y < h) read = intensity.read();
         column = gabor_rows<Config, Level>(read, x, y, h);
+        ++x;
       }
-      window.next(x == 0, column);
-      if (y >= radius && x >= radius) {
-        const GaborEnergies energies = gabor_energies(window);
+      window.next(column);
+      if (y >= radius && i >= filling + radius) {
+        const GaborEnergies energies = gabor_energies<Level>(window);
         ori_0_45.write(energies.ori_0_45);
         ori_90_135.write(energies.ori_90_135);
       }

@@ -40,6 +40,9 @@ constexpr int level_side(int n, int level) { return (n + (1 << level) - 1) >> le
 // Side of the base level, the size of all feature, conspicuity and saliency maps.
 constexpr int base_side(int n) { return level_side(n, base_level); }
 
+// Pixels of the base level to one of level `level`.
+constexpr int area_ratio(int level) { return 1 << (2 * (level - base_level)); }
+
 // The ones of the shortest binary number that n, up to 2^16 - 1, fits in.
 constexpr int ones(int n) {
   int bits = 1;
