@@ -1,0 +1,11 @@
+// The benchmarks of sailmap_bench, by subject; each registers its own under stable names.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+namespace sailmap::bench {
+
+// context/...
+void register_context();
+
+}  // namespace sailmap::bench
