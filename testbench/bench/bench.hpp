@@ -8,4 +8,7 @@ namespace sailmap::bench {
 // match/..., insert/..., query/..., query_exhaustive/...
 void register_query();
 
+// context/...
+void register_context();
+
 }  // namespace sailmap::bench
