@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sailmap/maps.hpp"
+#include "sailmap/on_demand.hpp"
 #include "sailmap/place_descriptor.hpp"
 
 namespace sailmap {
@@ -28,7 +29,7 @@ struct Signature {
   int width = 0;  // of the image, level-0 pixels
   int height = 0;
   std::vector<Region> regions;
-  PlaceDescriptor place{};  // for the method `context`; empty unless RegionConfig asks for it
+  OnDemand<PlaceDescriptor> place{};  // for the method `context`; empty unless RegionConfig asks for it
   bool operator==(const Signature&) const = default;
 };
 

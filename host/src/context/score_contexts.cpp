@@ -101,7 +101,7 @@ MatchResult match_places(const PlaceDescriptor& query, const PlaceDescriptor& ca
 Signature with_context_regions(const Signature& signature) {
   Signature out = signature;
   out.regions.clear();
-  for (const ContextRegion& region : signature.place.regions) {
+  for (const ContextRegion& region : signature.place.get().regions) {
     const auto pixel = [](int position, int side) {
       return static_cast<std::int16_t>(std::lround(position * side / 65535.0));
     };

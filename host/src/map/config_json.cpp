@@ -104,7 +104,7 @@ ordered_json to_json(const Signature& signature) {
   }
   ordered_json json = {
       {"width", signature.width}, {"height", signature.height}, {"regions", std::move(regions)}};
-  if (signature.place != PlaceDescriptor{}) json["place"] = to_text(signature.place);
+  if (signature.place.get() != PlaceDescriptor{}) json["place"] = to_text(signature.place);
   return json;
 }
 

@@ -181,7 +181,7 @@ std::vector<Candidate> TopologicalMap::score_all(const Signature& signature) con
       continue;
     }
     for (const View& view : node.views) {
-      places.push_back(&view.signature.place);
+      places.push_back(&view.signature.place.get());
       node_of.push_back(candidates.size() - 1);
     }
   }
