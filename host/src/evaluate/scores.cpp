@@ -18,6 +18,7 @@ Plane<float> score(const std::vector<Signature>& queries, const std::vector<Sign
                    const MatchConfig& config, Admissible admissible) {
   Plane<float> scores(static_cast<int>(candidates.size()), static_cast<int>(queries.size()), not_admissible);
   std::vector<const PlaceDescriptor*> places;
+  places.reserve(candidates.size());
   for (const Signature& candidate : candidates) places.push_back(&candidate.place.get());
   tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t q) {
     if (config.method == Method::context) {
