@@ -17,7 +17,8 @@ void add_frontend_option(CLI::App& command, std::string& frontend);
 OptionKeys add_region_options(CLI::App& command, RegionConfig& config);
 OptionKeys add_match_options(CLI::App& command, MatchConfig& config);
 CLI::Option* add_threshold_option(CLI::App& command, double& threshold);
-// Thresholds that the command line did not set become those of the method, and its descriptors are asked for. To be called when all is parsed.
+// Thresholds that the command line did not set become those of the method, and its descriptors are asked for.
+// To be called when all is parsed.
 void settle_thresholds(const CLI::App& command, MapConfig& config);
 // --temporal, for every method.
 CLI::Option* add_temporal_option(CLI::App& command, int& images);

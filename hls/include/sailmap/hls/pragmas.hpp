@@ -21,8 +21,8 @@
 #define SAILMAP_MEMORY
 #endif
 
-// On a function: one piece of hardware that all its calls use in turn. Vitis HLS shares by itself where the initiation
-// interval leaves time for it.
+// On a function: one piece of hardware that all its calls use in turn. Vitis HLS shares by itself where the
+// initiation interval leaves time for it.
 #ifdef __BAMBU__
 #define SAILMAP_SHARED __attribute__((noinline))
 #else
