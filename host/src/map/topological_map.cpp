@@ -30,6 +30,7 @@ std::uint64_t ends(int from, int to) {
 
 std::vector<Candidate> filtered(std::vector<Candidate> candidates, TemporalFilter& filter) {
   std::vector<float> scores;
+  scores.reserve(candidates.size());
   for (const Candidate& candidate : candidates) scores.push_back(static_cast<float>(candidate.similarity));
   const std::vector<float> mixed = filter.apply(scores);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
