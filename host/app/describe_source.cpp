@@ -43,8 +43,7 @@ void append(std::vector<Signature>& images, const std::string& name, Signature s
 class Rate {
  public:
   [[nodiscard]] double of(std::size_t images) const {
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     return seconds > 0 ? static_cast<double>(images) / seconds : 0;
   }
 

@@ -2,7 +2,9 @@
 // table of several data sets and methods.
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "sailmap/figures.hpp"
 #include "sailmap/file.hpp"
 #include "sailmap/npy.hpp"
+#include "table_report.hpp"
 
 namespace sailmap::app {
 namespace {
@@ -26,10 +29,30 @@ struct Options {
   fs::path scores;
   fs::path json;
   fs::path plot;
+  fs::path table;
+  fs::path markdown;
+  fs::path csv;
 };
+
+// What is said of each data set and method in the table's configuration.
+constexpr std::array<const char*, 14> of_one_experiment = {
+    "SOURCE",     "--reference", "--query",          "--ground-truth", "--radius",    "--reference-poses",
+    "--layout",   "--side",      "--exclude-recent", "--method",       "--threshold", "--vocabulary",
+    "--temporal", "--scores"};
+
+void check_table(const CLI::App& command) {
+  for (const char* name : of_one_experiment) {
+    if (command.get_option(name)->count() > 0) {
+      throw UsageError(fmt::format("{} does not go with --table: it belongs in the configuration", name));
+    }
+  }
+}
 
 void check(const Options& options, bool side_given, bool exclude_given) {
   const DataSet& data = options.data;
+  if (!options.markdown.empty() || !options.csv.empty()) {
+    throw UsageError("--markdown and --csv go with --table");
+  }
   if (data.source.empty() == data.reference.empty() || data.reference.empty() != data.query.empty()) {
     throw UsageError("eval takes either SOURCE or both --reference and --query");
   }
@@ -46,6 +69,7 @@ void check(const Options& options, bool side_given, bool exclude_given) {
   if (options.recogniser.fabmap() == options.recogniser.vocabulary.empty()) {
     throw UsageError("--method fabmap and --vocabulary go together");
   }
+  if (data.ground_truth.empty()) throw UsageError("eval needs --ground-truth");
 }
 
 Measurement measure_fabmap(const DataSet& data, const Recogniser& recogniser, GroundTruth& truth) {
@@ -75,6 +99,20 @@ void eval(const Options& options) {
   print(result);
 }
 
+void write_text(const fs::path& path, const std::string& text) {
+  if (!path.empty()) write_file(path, [&text](std::ostream& out) { out << text; });
+}
+
+void eval_table(const Options& options) {
+  const TableConfig config = read_table_config(options.table, options.recogniser);
+  const Table table = evaluate_table(config, options.table.string());
+  if (!options.plot.empty()) write_table_plot(options.plot, table);
+  if (!options.json.empty()) write_text(options.json, to_json(table).dump(2) + '\n');
+  write_text(options.markdown, to_markdown(table));
+  write_text(options.csv, to_csv(table));
+  fmt::print("{}", to_text(table));
+}
+
 void add_ground_truth_options(CLI::App& command, Options& options) {
   constexpr const char* group = "Ground truth";
   DataSet& data = options.data;
@@ -82,7 +120,6 @@ void add_ground_truth_options(CLI::App& command, Options& options) {
       .add_option("--ground-truth", data.ground_truth,
                   "Matches (`query: candidate ...` a line, or a MATLAB .mat matrix) or poses (KITTI, TUM, "
                   "CSV with x,y or lat,lon); of the queries, when there are two traverses")
-      ->required()
       ->type_name("FILE")
       ->group(group);
   command
@@ -116,11 +153,19 @@ void add_result_options(CLI::App& command, Options& options) {
                   "Similarities: float32, queries x candidates, NaN if not admissible")
       ->type_name("OUT.npy")
       ->group(group);
-  command.add_option("--json", options.json, "All figures, the curve and the parameters")
+  command.add_option("--json", options.json, "All figures, the curves and the parameters")
       ->type_name("OUT.json")
       ->group(group);
-  command.add_option("--plot", options.plot, "Precision-recall curve and similarity matrix")
+  command
+      .add_option("--plot", options.plot,
+                  "Precision-recall curve and similarity matrix; of a table bars of precision and recall")
       ->type_name("OUT.svg")
+      ->group(group);
+  command.add_option("--markdown", options.markdown, "The table in Markdown")
+      ->type_name("OUT.md")
+      ->group(group);
+  command.add_option("--csv", options.csv, "The table, a line each data set and method")
+      ->type_name("OUT.csv")
       ->group(group);
 }
 
@@ -135,6 +180,10 @@ void add_eval(CLI::App& app) {
   command->add_option("--reference", data.reference, "Two traverses: where the map images are")
       ->type_name("DIR");
   command->add_option("--query", data.query, "Two traverses: where the query images are")->type_name("DIR");
+  command
+      ->add_option("--table", options->table,
+                   "Several data sets and methods, as this JSON file says (docs/data_sets.md)")
+      ->type_name("CONFIG");
   add_ground_truth_options(*command, *options);
   add_result_options(*command, *options);
   const CLI::Option* exclude = command
@@ -153,7 +202,12 @@ void add_eval(CLI::App& app) {
   add_region_options(*command, config.regions);
   const CLI::Option* side = command->get_option("--side");
   const CLI::Option* threshold = command->get_option("--threshold");
-  command->callback([options, side, exclude, threshold] {
+  command->callback([options, command, side, exclude, threshold] {
+    if (!options->table.empty()) {
+      check_table(*command);
+      eval_table(*options);
+      return;
+    }
     options->data.selection.oxford = options->layout == "oxford";
     settle(options->recogniser, threshold->count() > 0);
     check(*options, side->count() > 0, exclude->count() > 0);

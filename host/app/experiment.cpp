@@ -72,9 +72,9 @@ Plane<float> score(const DataSet& data, const Views<Signature>& views, const Rec
 
 Plane<float> score(const DataSet& data, const Views<fabmap::Words>& views, const Recogniser& recogniser,
                    const fabmap::Vocabulary& vocabulary) {
-  const Plane<float> scores =
-      data.traverses() ? fabmap::score_traverses(views.queries, views.candidates, vocabulary)
-                       : fabmap::score_sequence(views.queries, data.exclude_recent, vocabulary);
+  const Plane<float> scores = data.traverses()
+                                  ? fabmap::score_traverses(views.queries, views.candidates, vocabulary)
+                                  : fabmap::score_sequence(views.queries, data.exclude_recent, vocabulary);
   return fabmap::filter_log_odds(scores, recogniser.config.temporal);
 }
 

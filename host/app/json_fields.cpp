@@ -38,8 +38,8 @@ double JsonFields::number(const char* key, double otherwise) const {
 int JsonFields::integer(const char* key, int otherwise, int least, int most) const {
   if (!has(key)) return otherwise;
   const json& value = object_.at(key);
-  const bool whole = value.is_number_integer() && (!value.is_number_unsigned() ||
-                                                   value.get<std::uint64_t>() <= std::uint64_t{INT32_MAX});
+  const bool whole = value.is_number_integer() &&
+                     (!value.is_number_unsigned() || value.get<std::uint64_t>() <= std::uint64_t{INT32_MAX});
   if (!whole || value.get<std::int64_t>() < least || value.get<std::int64_t>() > most) {
     fail(std::string(key) + " must be a whole number from " + std::to_string(least) + " to " +
          std::to_string(most));

@@ -17,6 +17,8 @@ Measurement measured(const DataSet& data, const GroundTruth& truth, const Recogn
   out.data = data;
   out.recogniser = recogniser;
   out.evaluation = evaluate(scores, truth, recogniser.config.detection.threshold);
+  out.images = scores.height();
+  out.candidates = scores.width();
   out.scores = std::move(scores);
   out.images_per_second = images_per_second;
   return out;
@@ -91,28 +93,29 @@ ordered_json to_json(const Measurement& m) {
   } else {
     json = {{"source", m.data.source}};
   }
-  json.update({{"ground_truth", m.data.ground_truth},
-               {"frontend", m.recogniser.fabmap() ? ordered_json(nullptr) : ordered_json(m.recogniser.frontend)},
-               {"method", m.recogniser.method},
-               {"config", m.config},
-               {"images", m.scores.height()},
-               {"candidates", m.scores.width()},
-               {"images_per_second", m.images_per_second},
-               {"queries", e.queries},
-               {"queries_with_match", e.queries_with_match},
-               {"fixed_threshold",
-                {{"threshold", e.fixed.threshold},
-                 {"detections", e.fixed.detections},
-                 {"right", e.fixed.right},
-                 {"precision", e.fixed.precision},
-                 {"recall", e.fixed.recall}}},
-               {"average_precision", e.average_precision},
-               {"recall_at_100_precision", e.recall_at_100},
-               {"recall_at_95_precision", e.recall_at_95},
-               {"best_f1", e.best_f1},
-               {"best_f1_threshold", e.best_f1_threshold},
-               {"recall_at", recall_at_ranks(e)},
-               {"curve", curve_of(e)}});
+  json.update(
+      {{"ground_truth", m.data.ground_truth},
+       {"frontend", m.recogniser.fabmap() ? ordered_json(nullptr) : ordered_json(m.recogniser.frontend)},
+       {"method", m.recogniser.method},
+       {"config", m.config},
+       {"images", m.images},
+       {"candidates", m.candidates},
+       {"images_per_second", m.images_per_second},
+       {"queries", e.queries},
+       {"queries_with_match", e.queries_with_match},
+       {"fixed_threshold",
+        {{"threshold", e.fixed.threshold},
+         {"detections", e.fixed.detections},
+         {"right", e.fixed.right},
+         {"precision", e.fixed.precision},
+         {"recall", e.fixed.recall}}},
+       {"average_precision", e.average_precision},
+       {"recall_at_100_precision", e.recall_at_100},
+       {"recall_at_95_precision", e.recall_at_95},
+       {"best_f1", e.best_f1},
+       {"best_f1_threshold", e.best_f1_threshold},
+       {"recall_at", recall_at_ranks(e)},
+       {"curve", curve_of(e)}});
   return json;
 }
 

@@ -12,6 +12,8 @@ struct Measurement {
   DataSet data;
   Recogniser recogniser;
   nlohmann::ordered_json config;  // all parameters
+  int images = 0;                 // queries
+  int candidates = 0;
   Plane<float> scores;
   double images_per_second = 0;  // described: signatures or words
   Evaluation evaluation;

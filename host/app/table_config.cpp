@@ -81,10 +81,10 @@ void check(const JsonFields& fields, const TableDataSet& entry) {
 }
 
 TableDataSet data_set_from(const json& object, const fs::path& path, const std::string& where) {
-  const JsonFields fields(object, where,
-                          {"name", "folder", "source", "reference", "query", "ground_truth",
-                           "reference_poses", "radius", "layout", "side", "exclude_recent", "length_km",
-                           "vocabulary", "train_on"});
+  const JsonFields fields(
+      object, where,
+      {"name", "folder", "source", "reference", "query", "ground_truth", "reference_poses", "radius",
+       "layout", "side", "exclude_recent", "length_km", "vocabulary", "train_on"});
   TableDataSet out;
   out.name = fields.text("name");
   if (out.name.empty()) fields.fail("has no name");
@@ -185,10 +185,9 @@ TableConfig read_table_config(const fs::path& path, const Recogniser& common) {
   out.data_sets = entries_from<TableDataSet>(
       document, "data_sets", path.string(),
       [&](const json& value, const std::string& where) { return data_set_from(value, path, where); });
-  out.methods = entries_from<TableMethod>(document, "methods", path.string(),
-                                          [&](const json& value, const std::string& where) {
-                                            return method_from(value, path, where, common);
-                                          });
+  out.methods = entries_from<TableMethod>(
+      document, "methods", path.string(),
+      [&](const json& value, const std::string& where) { return method_from(value, path, where, common); });
   check_training(out.data_sets, path.string());
   return out;
 }

@@ -74,9 +74,9 @@ struct TrainingConfig {
 
 // Visual words of SIFT descriptors and everything learned with them.
 struct Vocabulary {
-  cv::Mat centres;                          // words x 128, float32
-  ChowLiuTree tree;                         // one node a word
-  std::vector<Words> training;              // of each training image: a sample of what places look like
+  cv::Mat centres;                           // words x 128, float32
+  ChowLiuTree tree;                          // one node a word
+  std::vector<Words> training;               // of each training image: a sample of what places look like
   int features = TrainingConfig{}.features;  // SIFT keypoints an image, at most: as in training
 };
 
@@ -120,8 +120,8 @@ Plane<float> score_sequence(const std::vector<Words>& images, int exclude_recent
 Plane<float> score_traverses(const std::vector<Words>& queries, const std::vector<Words>& references,
                              const Vocabulary& vocabulary, const FabmapConfig& config = {});
 
-// The temporal filter (sailmap/temporal_filter.hpp) over the probabilities that the log-odds stand for;
-// log-odds again.
+// The temporal filter (sailmap/temporal_filter.hpp) over what the log-odds stand for, tempered
+// (docs/recognition.md); log-odds again.
 Plane<float> filter_log_odds(const Plane<float>& log_odds, int images);
 
 // Log-odds above which an image is taken for a known place: p = 0.99.

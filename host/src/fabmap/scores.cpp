@@ -27,8 +27,10 @@ Plane<float> score(const std::vector<Words>& queries, const std::vector<Words>& 
   return scores;
 }
 
-// Beyond these the odds leave a float's range; p then differs from 0 or 1 by less than 1e-34.
-constexpr float most_log_odds = 80;
+// The words of an image depend on each other more than a tree tells, so that nearly all probabilities are 0
+// or 1 and a mean of them would count votes. For the filter the log-odds are divided by this.
+constexpr float temperature = 10;
+constexpr float most = 80;  // what exp takes and gives as a float, either way
 
 }  // namespace
 
@@ -48,14 +50,14 @@ Plane<float> score_traverses(const std::vector<Words>& queries, const std::vecto
 
 Plane<float> filter_log_odds(const Plane<float>& log_odds, int images) {
   if (images < 2) return log_odds;
-  // The filter compresses s to s / (s + 1): of the odds that is the probability.
+  // The filter compresses s to s / (s + 1): of odds that is the probability.
   Plane<float> odds = log_odds;
   for (float& value : odds.samples()) {
-    if (!std::isnan(value)) value = std::exp(std::clamp(value, -most_log_odds, most_log_odds));
+    if (!std::isnan(value)) value = std::exp(std::clamp(value / temperature, -most, most));
   }
   Plane<float> filtered = filter_scores(odds, {.images = images, .scale = 1});
   for (float& value : filtered.samples()) {
-    if (!std::isnan(value)) value = std::max(std::log(value), -most_log_odds);
+    if (!std::isnan(value)) value = temperature * std::max(std::log(value), -most);
   }
   return filtered;
 }

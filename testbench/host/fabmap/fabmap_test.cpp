@@ -318,7 +318,8 @@ TEST(Training, MakesAVocabularyThatRecognises) {
   const std::vector<double> odds = fabmap.log_odds(words_of(scene(102), vocabulary), 6);
   EXPECT_EQ(std::ranges::max_element(odds) - odds.begin(), 2);
   config.words = 100000;
-  EXPECT_THAT([&] { train(images.size(), image, config); }, ThrowsMessage<Error>(HasSubstr("too few for 100000 words")));
+  EXPECT_THAT([&] { train(images.size(), image, config); },
+              ThrowsMessage<Error>(HasSubstr("too few for 100000 words")));
 }
 
 TEST(VocabularyFile, IsReadAsWritten) {
