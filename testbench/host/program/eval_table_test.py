@@ -105,7 +105,7 @@ class EvalTable(ProgramCase):
         self.assertEqual([c.strip() for c in markdown[3].split("|")[5:-1]], expected)
         self.assertEqual(len({line.count("|") for line in markdown[:5]}), 1)
 
-        texts = ["".join(t.itertext()).strip() for t in xml.etree.ElementTree.parse(self.folder / "t.svg").iter("{*}text")]
+        texts = ["".join(t.itertext()).strip() for t in xml.etree.ElementTree.parse(self.folder / "t.svg").iterfind(".//{*}text")]
         for word in ("Recall (%)", "Precision (%)", "world", "laps", "lap in lap", "FAB-MAP", "context 5"):
             self.assertIn(word, texts)
 
