@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 // Pixels.
 constexpr int page_width = 1200;
-constexpr int left_margin = 84;
+constexpr int least_left_margin = 84;
+constexpr int most_left_margin = 260;
 constexpr int right_margin = 24;
 constexpr int title_height = 44;
 constexpr int key_line = 24;
@@ -49,6 +50,7 @@ struct BarLayout {
   int key_height;
   int name_height;  // beneath each panel
   bool slanted;     // names of the groups
+  int left_margin;
   int height;
 
   BarLayout(const std::vector<std::string>& group_names, const std::vector<std::string>& series_names,
@@ -60,14 +62,17 @@ struct BarLayout {
       for (const std::string& name : names) width = std::max(width, text.width(name, font_size));
       return width;
     };
-    const int inner = page_width - left_margin - right_margin;
+    const int inner = page_width - least_left_margin - right_margin;
     key_columns =
         std::clamp<std::size_t>(static_cast<std::size_t>(inner / (widest(series_names) + 60)), 1, series);
     key_height = key_line * static_cast<int>((series + key_columns - 1) / key_columns) + 6;
     const int names = widest(group_names);
     slanted = names + 10 > inner / static_cast<int>(groups);
-    const double slope = std::sin(std::numbers::pi / 6);
-    name_height = slanted ? std::min(most_name_height, 24 + static_cast<int>(names * slope)) : 30;
+    constexpr double slope = std::numbers::pi / 6;
+    const int to_the_left = static_cast<int>(names * std::cos(slope)) - inner / static_cast<int>(2 * groups);
+    left_margin =
+        slanted ? std::clamp(to_the_left + 16, least_left_margin, most_left_margin) : least_left_margin;
+    name_height = slanted ? std::min(most_name_height, 24 + static_cast<int>(names * std::sin(slope))) : 30;
     height =
         title_height + key_height + static_cast<int>(panels) * (panel_title + panel_height + name_height);
   }
@@ -106,7 +111,7 @@ void check(const fs::path& path, const std::vector<std::string>& groups,
 void send_frame(Gnuplot& gp, const BarLayout& page, const std::vector<std::string>& groups) {
   gp << "set encoding utf8\nset terminal svg size " << page_width << "," << page.height
      << " font 'DejaVu Sans," << font_size << "' background 'white' noenhanced\nset multiplot\n"
-     << "set lmargin at screen " << static_cast<double>(left_margin) / page_width
+     << "set lmargin at screen " << static_cast<double>(page.left_margin) / page_width
      << "\nset rmargin at screen " << 1 - static_cast<double>(right_margin) / page_width
      << "\nset tics out nomirror scale 0.6\nset yrange [0:110]\nset ytics 0,20,100\nset xrange [-0.5:"
      << static_cast<double>(groups.size()) - 0.5 << "]\nset border 3\n"
