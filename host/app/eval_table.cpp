@@ -1,20 +1,16 @@
 #include "eval_table.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "sailmap/error.hpp"
-#include "sailmap/image_source.hpp"
+#include "table_vocabularies.hpp"
 
 namespace sailmap::app {
 namespace {
 
-// Of more images the words would not be better, but the wait and the memory greater.
-constexpr std::size_t most_training_images = 500;
-
-double length_of(const std::vector<Pose>& poses) {
+double kilometres(const std::vector<Pose>& poses) {
   double metres = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     metres += std::hypot(poses[i].x - poses[i - 1].x, poses[i].y - poses[i - 1].y);
@@ -22,146 +18,118 @@ double length_of(const std::vector<Pose>& poses) {
   return metres / 1000;
 }
 
-class Evaluator {
+// The parameters that describe the images well enough for all methods on signatures; none: there is no such
+// method.
+std::optional<Recogniser> describing(const std::vector<TableMethod>& methods) {
+  std::optional<Recogniser> out;
+  for (const TableMethod& method : methods) {
+    if (method.recogniser.fabmap()) continue;
+    if (!out) out = method.recogniser;
+    out->config.regions.describe_place |= method.recogniser.config.regions.describe_place;
+  }
+  return out;
+}
+
+// One data set; every view of its images is made once.
+class RowEvaluator {
  public:
-  Evaluator(const TableConfig& config, std::string name) : config_(config), name_(std::move(name)) {}
+  RowEvaluator(const TableConfig& config, const TableDataSet& entry, const GroundTruth& truth,
+               Vocabularies& vocabularies)
+      : config_(config), entry_(entry), truth_(truth), vocabularies_(vocabularies) {}
 
-  Table run() {
-    prepare();
-    Table table;
-    for (const TableMethod& method : config_.methods) table.methods.push_back(method.name);
-    for (const TableDataSet& entry : config_.data_sets) table.rows.push_back(row(entry));
-    return table;
-  }
-
- private:
-  // Does the work of one data set; what goes wrong is told with its name.
-  template <class Work>
-  auto named(const TableDataSet& entry, Work work) const {
-    try {
-      return work();
-    } catch (const Error& fault) {
-      throw Error(name_ + ": data set '" + entry.name + "': " + fault.what());
-    }
-  }
-
-  // Ground truths and vocabulary files of all data sets, so that what is wrong with the last one is told
-  // before the first one is evaluated.
-  void prepare() {
+  std::vector<TableCell> cells() {
+    std::vector<TableCell> out;
+    const std::optional<Recogniser> common = describing(config_.methods);
+    if (common) signatures_ = describe(entry_.data, common->frontend, common->config.regions);
     for (const TableMethod& method : config_.methods) {
-      if (method.recogniser.vocabulary.empty()) continue;
-      try {
-        read_vocabulary(method.recogniser.vocabulary);
-      } catch (const Error& fault) {
-        throw Error(name_ + ": method '" + method.name + "': " + fault.what());
-      }
-    }
-    for (const TableDataSet& entry : config_.data_sets) {
-      if (!entry.skipped.empty()) continue;
-      named(entry, [&] {
-        truths_[entry.name] = read_truth(entry.data);
-        if (!entry.vocabulary.empty()) read_vocabulary(entry.vocabulary);
-      });
-    }
-  }
-
-  const fabmap::Vocabulary& read_vocabulary(const std::filesystem::path& path) {
-    const auto found = vocabularies_.find(path.string());
-    if (found != vocabularies_.end()) return found->second;
-    return vocabularies_.emplace(path.string(), fabmap::read_vocabulary(path)).first->second;
-  }
-
-  // Words learned from at most most_training_images images of a data set, evenly spread.
-  const fabmap::Vocabulary& learned(const TableDataSet& from, const fabmap::TrainingConfig& training) {
-    const std::string key = "train_on " + from.name + " " + std::to_string(training.words) + " " +
-                            std::to_string(training.features);
-    const auto found = vocabularies_.find(key);
-    if (found != vocabularies_.end()) return found->second;
-    const auto all = selected_images(from.data.candidates(), from.data.selection);
-    const std::size_t count = std::min(all.size(), most_training_images);
-    const auto image = [&](std::size_t i) { return read_image(all[i * all.size() / count]); };
-    return vocabularies_.emplace(key, named(from, [&] { return fabmap::train(count, image, training); }))
-        .first->second;
-  }
-
-  TableRow row(const TableDataSet& entry) {
-    TableRow out;
-    out.name = entry.name;
-    out.skipped = entry.skipped;
-    out.cells.resize(config_.methods.size());
-    for (TableCell& cell : out.cells) cell.skipped = entry.skipped;
-    if (!entry.skipped.empty()) return out;
-    out.length = entry.length;
-    if (!out.length && holds_poses(entry.data.ground_truth)) {
-      out.length = length_of(read_poses(entry.data.ground_truth));
-    }
-    out.images = static_cast<int>(truths_.at(entry.name).matches.size());
-    named(entry, [&] { measure_signatures(entry, out.cells); });
-    for (std::size_t m = 0; m < config_.methods.size(); ++m) {
-      if (config_.methods[m].recogniser.fabmap()) out.cells[m] = measure_fabmap(entry, config_.methods[m]);
+      out.push_back(method.recogniser.fabmap() ? by_words(method) : by_signatures(method));
+      if (out.back().measurement) out.back().measurement->scores = {};
     }
     return out;
   }
 
-  // The images are described once for all methods that work on signatures.
-  void measure_signatures(const TableDataSet& entry, std::vector<TableCell>& cells) {
-    const Recogniser* any = nullptr;
-    bool describe_place = false;
-    for (const TableMethod& method : config_.methods) {
-      if (method.recogniser.fabmap()) continue;
-      any = &method.recogniser;
-      describe_place = describe_place || method.recogniser.config.regions.describe_place;
-    }
-    if (any == nullptr) return;
-    RegionConfig regions = any->config.regions;
-    regions.describe_place = describe_place;
-    const Views<Signature> views = describe(entry.data, any->frontend, regions);
-    for (std::size_t m = 0; m < cells.size(); ++m) {
-      const Recogniser& recogniser = config_.methods[m].recogniser;
-      if (recogniser.fabmap()) continue;
-      cells[m].measurement = measure(entry.data, truths_.at(entry.name), views, recogniser);
-      cells[m].measurement->scores = {};
-    }
+ private:
+  TableCell by_signatures(const TableMethod& method) {
+    return {measure(entry_.data, truth_, signatures_, method.recogniser), {}};
   }
 
-  TableCell measure_fabmap(const TableDataSet& entry, const TableMethod& method) {
-    TableCell cell;
-    Recogniser recogniser = method.recogniser;
-    const fabmap::Vocabulary* vocabulary = nullptr;
-    if (!entry.train_on.empty()) {
-      const TableDataSet& from = *std::ranges::find(config_.data_sets, entry.train_on, &TableDataSet::name);
-      if (!from.skipped.empty()) {
-        cell.skipped = "its words are learned from " + from.name + ", which is skipped";
-        return cell;
-      }
-      vocabulary = &learned(from, method.training);
-      recogniser.vocabulary = "learned from " + from.name;
-    } else {
-      if (!entry.vocabulary.empty()) recogniser.vocabulary = entry.vocabulary;
-      if (recogniser.vocabulary.empty()) {
-        cell.skipped = "it has no vocabulary: give the data set vocabulary or train_on";
-        return cell;
-      }
-      vocabulary = &read_vocabulary(recogniser.vocabulary);
+  TableCell by_words(const TableMethod& method) {
+    const ChosenVocabulary chosen = vocabularies_.choose(entry_, method);
+    if (chosen.vocabulary == nullptr) return {std::nullopt, chosen.skipped};
+    auto words = words_.find(chosen.vocabulary);
+    if (words == words_.end()) {
+      words = words_.emplace(chosen.vocabulary, describe(entry_.data, *chosen.vocabulary)).first;
     }
-    cell.measurement = named(entry, [&] {
-      return measure(entry.data, truths_.at(entry.name), describe(entry.data, *vocabulary), recogniser,
-                     *vocabulary);
-    });
-    cell.measurement->scores = {};
-    return cell;
+    Recogniser recogniser = method.recogniser;
+    recogniser.vocabulary = chosen.name;
+    return {measure(entry_.data, truth_, words->second, recogniser, *chosen.vocabulary), {}};
   }
 
   const TableConfig& config_;
-  std::string name_;
-  std::map<std::string, GroundTruth> truths_;
-  std::map<std::string, fabmap::Vocabulary> vocabularies_;
+  const TableDataSet& entry_;
+  const GroundTruth& truth_;
+  Vocabularies& vocabularies_;
+  Views<Signature> signatures_;
+  std::map<const fabmap::Vocabulary*, Views<fabmap::Words>> words_;
 };
+
+// Does the work of one entry; what goes wrong is told with its name.
+template <class Work>
+void named(const std::string& name, Work work) {
+  try {
+    work();
+  } catch (const Error& fault) {
+    throw Error(name + ": " + fault.what());
+  }
+}
+
+// What is known of a data set before its images are looked at.
+TableRow empty_row(const TableDataSet& entry, const GroundTruth& truth, std::size_t methods) {
+  TableRow row;
+  row.name = entry.name;
+  row.skipped = entry.skipped;
+  row.cells.assign(methods, {std::nullopt, entry.skipped});
+  row.length = entry.length;
+  if (!entry.skipped.empty()) return row;
+  if (!row.length && holds_poses(entry.data.ground_truth)) {
+    row.length = kilometres(read_poses(entry.data.ground_truth));
+  }
+  row.images = static_cast<int>(truth.matches.size());
+  return row;
+}
 
 }  // namespace
 
 Table evaluate_table(const TableConfig& config, const std::string& name) {
-  return Evaluator(config, name).run();
+  Vocabularies vocabularies(config);
+  std::vector<GroundTruth> truths(config.data_sets.size());
+  const auto data_set = [&name](const TableDataSet& entry) {
+    return name + ": data set '" + entry.name + "'";
+  };
+  // What is wrong with the last entry is told before the first one is evaluated.
+  for (const TableMethod& method : config.methods) {
+    if (method.recogniser.vocabulary.empty()) continue;
+    named(name + ": method '" + method.name + "'", [&] { vocabularies.read(method.recogniser.vocabulary); });
+  }
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    const TableDataSet& entry = config.data_sets[i];
+    if (!entry.skipped.empty()) continue;
+    named(data_set(entry), [&] {
+      truths[i] = read_truth(entry.data);
+      if (!entry.vocabulary.empty()) vocabularies.read(entry.vocabulary);
+    });
+  }
+  Table table;
+  for (const TableMethod& method : config.methods) table.methods.push_back(method.name);
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    const TableDataSet& entry = config.data_sets[i];
+    named(data_set(entry), [&] {
+      table.rows.push_back(empty_row(entry, truths[i], config.methods.size()));
+      if (!entry.skipped.empty()) return;
+      table.rows.back().cells = RowEvaluator(config, entry, truths[i], vocabularies).cells();
+    });
+  }
+  return table;
 }
 
 }  // namespace sailmap::app

@@ -39,7 +39,8 @@ struct Place {
 // What the user has not filled in yet, in words; empty: nothing.
 std::string not_filled_in(const JsonFields& fields, const fs::path& folder, const DataSet& data) {
   if (fields.has("folder") && fields.text("folder").empty()) return "folder is not filled in";
-  if (fields.has("folder") && fs::is_directory(folder) && fs::is_empty(folder)) {
+  std::error_code failed;
+  if (fields.has("folder") && fs::is_directory(folder, failed) && fs::is_empty(folder, failed)) {
     return folder.string() + " is empty";
   }
   const std::vector<Place> places =
