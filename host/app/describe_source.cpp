@@ -106,18 +106,18 @@ Described<Signature> describe_source(const std::string& source, const Selection&
   return out;
 }
 
-Described<fabmap::Words> find_words(const std::string& source, const Selection& selection,
-                                    const fabmap::Vocabulary& vocabulary) {
+Described<fabmap::Histogram> find_words(const std::string& source, const Selection& selection,
+                                        const fabmap::Vocabulary& vocabulary) {
   constexpr std::size_t at_once = 64;
   const auto images = open_selected(source, selection);
   const Rate rate;
   Progress progress("find words", images->size());
-  Described<fabmap::Words> out;
+  Described<fabmap::Histogram> out;
   for (auto batch = next_batch(*images, at_once); !batch.empty(); batch = next_batch(*images, at_once)) {
     const std::size_t before = out.images.size();
     out.images.resize(before + batch.size());
     tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
-      out.images[before + i] = fabmap::words_of(batch[i].read(), vocabulary);
+      out.images[before + i] = fabmap::histogram_of(batch[i].read(), vocabulary);
     });
     progress.step_to(static_cast<int>(out.images.size()));
   }

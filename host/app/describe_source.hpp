@@ -36,7 +36,7 @@ Described<Signature> describe_source(const std::string& source, const Selection&
                                      const std::string& frontend, const RegionConfig& regions);
 
 // The visual words of each image. Throws Error when an image cannot be read.
-Described<fabmap::Words> find_words(const std::string& source, const Selection& selection,
-                                    const fabmap::Vocabulary& vocabulary);
+Described<fabmap::Histogram> find_words(const std::string& source, const Selection& selection,
+                                        const fabmap::Vocabulary& vocabulary);
 
 }  // namespace sailmap::app

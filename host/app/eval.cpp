@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "measurement.hpp"
 #include "options.hpp"
+#include "sailmap/bag_of_words.hpp"
 #include "sailmap/figures.hpp"
 #include "sailmap/file.hpp"
 #include "sailmap/npy.hpp"
@@ -66,13 +67,13 @@ void check(const Options& options, bool side_given, bool exclude_given) {
   if (!data.reference_poses.empty() && !data.traverses()) {
     throw UsageError("--reference-poses goes with --reference and --query");
   }
-  if (options.recogniser.fabmap() == options.recogniser.vocabulary.empty()) {
-    throw UsageError("--method fabmap and --vocabulary go together");
+  if (options.recogniser.on_words() == options.recogniser.vocabulary.empty()) {
+    throw UsageError("--vocabulary and the methods fabmap and bow go together");
   }
   if (data.ground_truth.empty()) throw UsageError("eval needs --ground-truth");
 }
 
-Measurement measure_fabmap(const DataSet& data, const Recogniser& recogniser, GroundTruth& truth) {
+Measurement measure_words(const DataSet& data, const Recogniser& recogniser, GroundTruth& truth) {
   const fabmap::Vocabulary vocabulary = fabmap::read_vocabulary(recogniser.vocabulary);
   truth = read_truth(data);
   return measure(data, truth, describe(data, vocabulary), recogniser, vocabulary);
@@ -86,8 +87,8 @@ Measurement measure_signatures(const DataSet& data, const Recogniser& recogniser
 
 void eval(const Options& options) {
   GroundTruth truth;
-  const Measurement result = options.recogniser.fabmap()
-                                 ? measure_fabmap(options.data, options.recogniser, truth)
+  const Measurement result = options.recogniser.on_words()
+                                 ? measure_words(options.data, options.recogniser, truth)
                                  : measure_signatures(options.data, options.recogniser, truth);
   if (!options.scores.empty()) write_npy(options.scores, result.scores);
   if (!options.plot.empty()) {
@@ -195,7 +196,8 @@ void add_eval(CLI::App& app) {
   MapConfig& config = recogniser.config;
   add_frontend_option(*command, recogniser.frontend);
   add_threshold_option(*command, config.detection.threshold,
-                       fmt::format(", {:g} for fabmap (log-odds: p = 0.99)", fabmap::default_threshold));
+                       fmt::format(", {:g} for fabmap (log-odds: p = 0.99), {:g} for bow",
+                                   fabmap::default_threshold, bow::default_threshold));
   add_recogniser_options(*command, recogniser);
   add_constraint_options(*command, config.match);
   add_temporal_option(*command, config.temporal)->capture_default_str();

@@ -23,7 +23,7 @@ double kilometres(const std::vector<Pose>& poses) {
 std::optional<Recogniser> describing(const std::vector<TableMethod>& methods) {
   std::optional<Recogniser> out;
   for (const TableMethod& method : methods) {
-    if (method.recogniser.fabmap()) continue;
+    if (method.recogniser.on_words()) continue;
     if (!out) out = method.recogniser;
     out->config.regions.describe_place |= method.recogniser.config.regions.describe_place;
   }
@@ -42,7 +42,7 @@ class RowEvaluator {
     const std::optional<Recogniser> common = describing(config_.methods);
     if (common) signatures_ = describe(entry_.data, common->frontend, common->config.regions);
     for (const TableMethod& method : config_.methods) {
-      out.push_back(method.recogniser.fabmap() ? by_words(method) : by_signatures(method));
+      out.push_back(method.recogniser.on_words() ? by_words(method) : by_signatures(method));
       if (out.back().measurement) out.back().measurement->scores = {};
     }
     return out;
@@ -70,7 +70,7 @@ class RowEvaluator {
   const GroundTruth& truth_;
   Vocabularies& vocabularies_;
   Views<Signature> signatures_;
-  std::map<const fabmap::Vocabulary*, Views<fabmap::Words>> words_;
+  std::map<const fabmap::Vocabulary*, Views<fabmap::Histogram>> words_;
 };
 
 // Does the work of one entry; what goes wrong is told with its name.

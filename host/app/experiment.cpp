@@ -1,5 +1,8 @@
 #include "experiment.hpp"
 
+#include <limits>
+
+#include "sailmap/bag_of_words.hpp"
 #include "sailmap/detection.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/temporal_filter.hpp"
@@ -14,6 +17,19 @@ Views<T> views_of(const DataSet& data, DescribeImages describe_images) {
   Views<T> out{std::move(queries.images), {}, queries.images_per_second};
   if (data.traverses()) out.candidates = describe_images(data.candidates()).images;
   return out;
+}
+
+std::vector<fabmap::Words> words_of(const std::vector<fabmap::Histogram>& images) {
+  std::vector<fabmap::Words> words;
+  for (const fabmap::Histogram& image : images) words.push_back(image.words);
+  return words;
+}
+
+Plane<float> fabmap_scores(const DataSet& data, const Views<fabmap::Histogram>& views,
+                           const fabmap::Vocabulary& vocabulary) {
+  const std::vector<fabmap::Words> queries = words_of(views.queries);
+  return data.traverses() ? fabmap::score_traverses(queries, words_of(views.candidates), vocabulary)
+                          : fabmap::score_sequence(queries, data.exclude_recent, vocabulary);
 }
 
 }  // namespace
@@ -36,13 +52,14 @@ std::vector<std::string> recogniser_names() {
   std::vector<std::string> names;
   for (const std::string_view method : method_names()) names.emplace_back(method);
   names.emplace_back(fabmap_name);
+  names.emplace_back(bow_name);
   return names;
 }
 
 void settle(Recogniser& recogniser, bool threshold_given) {
   MapConfig& config = recogniser.config;
-  double threshold = fabmap::default_threshold;
-  if (!recogniser.fabmap()) {
+  double threshold = recogniser.method == bow_name ? bow::default_threshold : fabmap::default_threshold;
+  if (!recogniser.on_words()) {
     config.match.method = method_from_name(recogniser.method);
     config.regions.describe_place = config.match.method == Method::context;
     threshold = default_threshold(config.match.method);
@@ -57,8 +74,8 @@ Views<Signature> describe(const DataSet& data, const std::string& frontend, cons
   });
 }
 
-Views<fabmap::Words> describe(const DataSet& data, const fabmap::Vocabulary& vocabulary) {
-  return views_of<fabmap::Words>(
+Views<fabmap::Histogram> describe(const DataSet& data, const fabmap::Vocabulary& vocabulary) {
+  return views_of<fabmap::Histogram>(
       data, [&](const std::string& source) { return find_words(source, data.selection, vocabulary); });
 }
 
@@ -70,12 +87,17 @@ Plane<float> score(const DataSet& data, const Views<Signature>& views, const Rec
   return filter_scores(scores, temporal_config(match.method, recogniser.config.temporal));
 }
 
-Plane<float> score(const DataSet& data, const Views<fabmap::Words>& views, const Recogniser& recogniser,
+Plane<float> score(const DataSet& data, const Views<fabmap::Histogram>& views, const Recogniser& recogniser,
                    const fabmap::Vocabulary& vocabulary) {
+  const int temporal = recogniser.config.temporal;
+  if (recogniser.method == fabmap_name) {
+    return fabmap::filter_log_odds(fabmap_scores(data, views, vocabulary), temporal);
+  }
   const Plane<float> scores = data.traverses()
-                                  ? fabmap::score_traverses(views.queries, views.candidates, vocabulary)
-                                  : fabmap::score_sequence(views.queries, data.exclude_recent, vocabulary);
-  return fabmap::filter_log_odds(scores, recogniser.config.temporal);
+                                  ? bow::score_traverses(views.queries, views.candidates, vocabulary)
+                                  : bow::score_sequence(views.queries, data.exclude_recent, vocabulary);
+  // Cosines are within 0 and 1 already.
+  return filter_scores(scores, {.images = temporal, .scale = std::numeric_limits<double>::infinity()});
 }
 
 }  // namespace sailmap::app

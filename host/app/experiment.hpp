@@ -33,18 +33,20 @@ struct DataSet {
 // Counts the images and reads the ground truth. Throws Error when either cannot be, or they do not fit.
 GroundTruth read_truth(const DataSet& data);
 
+// The methods that work on visual words: they need a vocabulary and hold an image against many others.
 inline constexpr const char* fabmap_name = "fabmap";
+inline constexpr const char* bow_name = "bow";
 
-// The methods that work on signatures, and FAB-MAP.
+// The methods that work on signatures, and these.
 std::vector<std::string> recogniser_names();
 
 struct Recogniser {
   std::string method;                // one of recogniser_names()
-  std::filesystem::path vocabulary;  // of FAB-MAP, for messages and results
+  std::filesystem::path vocabulary;  // of methods on words, for messages and results
   std::string frontend;              // of the others
   MapConfig config;                  // threshold and temporal filter of all, the rest of the others
 
-  [[nodiscard]] bool fabmap() const { return method == fabmap_name; }
+  [[nodiscard]] bool on_words() const { return method == fabmap_name || method == bow_name; }
 };
 
 // Makes the rest of the configuration what the method needs: its default threshold, unless one was given, and
@@ -60,11 +62,11 @@ struct Views {
 };
 
 Views<Signature> describe(const DataSet& data, const std::string& frontend, const RegionConfig& regions);
-Views<fabmap::Words> describe(const DataSet& data, const fabmap::Vocabulary& vocabulary);
+Views<fabmap::Histogram> describe(const DataSet& data, const fabmap::Vocabulary& vocabulary);
 
 // Row = query, column = candidate, NaN where not admissible; the temporal filter is applied.
 Plane<float> score(const DataSet& data, const Views<Signature>& views, const Recogniser& recogniser);
-Plane<float> score(const DataSet& data, const Views<fabmap::Words>& views, const Recogniser& recogniser,
+Plane<float> score(const DataSet& data, const Views<fabmap::Histogram>& views, const Recogniser& recogniser,
                    const fabmap::Vocabulary& vocabulary);
 
 }  // namespace sailmap::app

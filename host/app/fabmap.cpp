@@ -1,4 +1,4 @@
-// sailmap fabmap train: the visual words that the method `fabmap` of `eval` needs.
+// sailmap fabmap train: the visual words that the methods `fabmap` and `bow` of `eval` need.
 #include "sailmap/fabmap.hpp"
 
 #include <fmt/format.h>
@@ -73,7 +73,8 @@ void add_train(CLI::App& fabmap) {
 }  // namespace
 
 void add_fabmap(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("fabmap", "FAB-MAP, the paper's comparison: learn its vocabulary");
+  CLI::App* command =
+      app.add_subcommand("fabmap", "FAB-MAP, the paper's comparison, and bow: learn their vocabulary");
   command->require_subcommand(1);
   add_train(*command);
 }

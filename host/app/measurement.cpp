@@ -24,20 +24,23 @@ Measurement measured(const DataSet& data, const GroundTruth& truth, const Recogn
   return out;
 }
 
-ordered_json fabmap_config(const Measurement& m, const fabmap::Vocabulary& vocabulary) {
-  const fabmap::FabmapConfig fabmap;
+ordered_json words_config(const Measurement& m, const fabmap::Vocabulary& vocabulary) {
   const MapConfig& config = m.recogniser.config;
-  return {{"fabmap",
-           {{"vocabulary", m.recogniser.vocabulary.string()},
-            {"words", vocabulary.tree.size()},
-            {"features", vocabulary.features},
-            {"training_images", vocabulary.training.size()},
-            {"detect_present", fabmap.detect_present},
-            {"detect_absent", fabmap.detect_absent},
-            {"new_place_prior", fabmap.new_place_prior}}},
-          {"detection", {{"threshold", config.detection.threshold}}},
-          {"exclude_recent", m.data.exclude_recent},
-          {"temporal", config.temporal}};
+  ordered_json json = {{"vocabulary",
+                        {{"file", m.recogniser.vocabulary.string()},
+                         {"words", vocabulary.tree.size()},
+                         {"features", vocabulary.features},
+                         {"training_images", vocabulary.training.size()}}}};
+  if (m.recogniser.method == fabmap_name) {
+    const fabmap::FabmapConfig fabmap;
+    json["fabmap"] = {{"detect_present", fabmap.detect_present},
+                      {"detect_absent", fabmap.detect_absent},
+                      {"new_place_prior", fabmap.new_place_prior}};
+  }
+  json["detection"] = {{"threshold", config.detection.threshold}};
+  json["exclude_recent"] = m.data.exclude_recent;
+  json["temporal"] = config.temporal;
+  return json;
 }
 
 ordered_json curve_of(const Evaluation& e) {
@@ -69,11 +72,11 @@ Measurement measure(const DataSet& data, const GroundTruth& truth, const Views<S
   return out;
 }
 
-Measurement measure(const DataSet& data, const GroundTruth& truth, const Views<fabmap::Words>& views,
+Measurement measure(const DataSet& data, const GroundTruth& truth, const Views<fabmap::Histogram>& views,
                     const Recogniser& recogniser, const fabmap::Vocabulary& vocabulary) {
   Measurement out =
       measured(data, truth, recogniser, score(data, views, recogniser, vocabulary), views.images_per_second);
-  out.config = fabmap_config(out, vocabulary);
+  out.config = words_config(out, vocabulary);
   return out;
 }
 
@@ -95,7 +98,7 @@ ordered_json to_json(const Measurement& m) {
   }
   json.update(
       {{"ground_truth", m.data.ground_truth},
-       {"frontend", m.recogniser.fabmap() ? ordered_json(nullptr) : ordered_json(m.recogniser.frontend)},
+       {"frontend", m.recogniser.on_words() ? ordered_json(nullptr) : ordered_json(m.recogniser.frontend)},
        {"method", m.recogniser.method},
        {"config", m.config},
        {"images", m.images},
@@ -121,8 +124,8 @@ ordered_json to_json(const Measurement& m) {
 
 void print(const Measurement& m) {
   const Evaluation& e = m.evaluation;
-  const std::string described_by = m.recogniser.fabmap() ? "vocabulary " + m.recogniser.vocabulary.string()
-                                                         : "front end " + m.recogniser.frontend;
+  const std::string described_by = m.recogniser.on_words() ? "vocabulary " + m.recogniser.vocabulary.string()
+                                                           : "front end " + m.recogniser.frontend;
   fmt::print("{}\n", title_of(m));
   fmt::print("{} queries, {} with a true match among their candidates; {}, {:.1f} images per second\n\n",
              e.queries, e.queries_with_match, described_by, m.images_per_second);

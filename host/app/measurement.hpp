@@ -22,7 +22,7 @@ struct Measurement {
 // Throws Error when no query has an admissible true match.
 Measurement measure(const DataSet& data, const GroundTruth& truth, const Views<Signature>& views,
                     const Recogniser& recogniser);
-Measurement measure(const DataSet& data, const GroundTruth& truth, const Views<fabmap::Words>& views,
+Measurement measure(const DataSet& data, const GroundTruth& truth, const Views<fabmap::Histogram>& views,
                     const Recogniser& recogniser, const fabmap::Vocabulary& vocabulary);
 
 // Data set, method, temporal filter: in one line.

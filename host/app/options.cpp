@@ -34,9 +34,10 @@ CLI::Option* add_choice(CLI::App& command, const std::string& flag, Enum& value,
       ->type_name(list);
 }
 
-// FAB-MAP compares an image with all places at once, by words that signatures and map files do not hold.
-std::string refuse_fabmap(const std::string& method) {
-  return method == fabmap_name ? "fabmap is a method of `sailmap eval` alone" : "";
+// They hold an image against others by words, which signatures and map files do not have.
+std::string refuse_words(const std::string& method) {
+  const bool on_words = method == fabmap_name || method == bow_name;
+  return on_words ? method + " is a method of `sailmap eval` alone" : "";
 }
 
 void merge(OptionKeys& into, OptionKeys other) { into.merge(std::move(other)); }
@@ -105,7 +106,7 @@ OptionKeys add_match_options(CLI::App& command, MatchConfig& config) {
   // A check that comes later is asked first.
   keys["/match/method"] = add_choice(command, "--method", config.method, "Similarity",
                                      {Method::paper, Method::paper_weighted, Method::context})
-                              ->transform(CLI::Validator(refuse_fabmap, ""))
+                              ->transform(CLI::Validator(refuse_words, ""))
                               ->group(match_group);
   return keys;
 }
@@ -114,14 +115,15 @@ std::vector<CLI::Option*> add_recogniser_options(CLI::App& command, Recogniser& 
   recogniser.method = name(MatchConfig{}.method);
   CLI::Option* method = command
                             .add_option("--method", recogniser.method,
-                                        "Similarity; fabmap: visual words, log-odds of the place (spec 12)")
+                                        "Similarity; fabmap and bow: by visual words, need --vocabulary")
                             ->check(CLI::IsMember(recogniser_names()).description(""))
                             ->capture_default_str()
                             ->type_name(fmt::format("{}", fmt::join(recogniser_names(), "|")));
-  CLI::Option* vocabulary = command
-                                .add_option("--vocabulary", recogniser.vocabulary,
-                                            "Of the method fabmap: what `sailmap fabmap train` wrote")
-                                ->type_name("FILE");
+  CLI::Option* vocabulary =
+      command
+          .add_option("--vocabulary", recogniser.vocabulary,
+                      "Of the methods fabmap and bow: what `sailmap fabmap train` wrote")
+          ->type_name("FILE");
   method->group(match_group);
   vocabulary->group(match_group);
   return {method, vocabulary};

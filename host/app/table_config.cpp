@@ -130,8 +130,8 @@ TableMethod method_from(const json& value, const fs::path& path, const std::stri
   recogniser.config.temporal = fields.integer("temporal", 0, 0, 1000);
   settle(recogniser, fields.has("threshold"));
   for (const char* key : {"vocabulary", "words", "features"}) {
-    if (fields.has(key) && !recogniser.fabmap()) {
-      fields.fail(std::string(key) + " is for the method " + fabmap_name);
+    if (fields.has(key) && !recogniser.on_words()) {
+      fields.fail(std::string(key) + " is for the methods fabmap and bow");
     }
   }
   recogniser.vocabulary = resolved(path.parent_path(), fields.text("vocabulary"));

@@ -86,8 +86,14 @@ struct Vocabulary {
 Vocabulary train(std::size_t count, const std::function<cv::Mat(std::size_t)>& image,
                  const TrainingConfig& config);
 
-// The words of an image: each SIFT descriptor's nearest centre.
-Words words_of(const cv::Mat& image, const Vocabulary& vocabulary);
+// How often an image shows each word.
+struct Histogram {
+  Words words;
+  std::vector<double> parts;  // of each of `words`: the part of the image's features that show it
+};
+
+// The words of an image: each SIFT descriptor's nearest centre. Empty when the image has no feature.
+Histogram histogram_of(const cv::Mat& image, const Vocabulary& vocabulary);
 
 // A JSON file, written whole or not at all; reading throws Error naming the file and what is wrong with it.
 void write_vocabulary(const std::filesystem::path& path, const Vocabulary& vocabulary);

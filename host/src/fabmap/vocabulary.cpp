@@ -20,17 +20,20 @@ cv::Mat descriptors_of(const cv::Mat& image, int features) {
   return descriptors;
 }
 
-// Each descriptor's nearest centre, the words in rising order.
-Words nearest(const cv::Mat& descriptors, const cv::Mat& centres) {
-  Words words;
-  if (descriptors.empty()) return words;
-  std::vector<cv::DMatch> matches;
-  cv::BFMatcher(cv::NORM_L2).match(descriptors, centres, matches);
-  for (const cv::DMatch& match : matches) words.push_back(match.trainIdx);
-  std::ranges::sort(words);
-  const auto repeated = std::ranges::unique(words);
-  words.erase(repeated.begin(), repeated.end());
-  return words;
+// Each descriptor is given to its nearest centre, by OpenCV's bag of words.
+Histogram counted(const cv::Mat& descriptors, const cv::Mat& centres) {
+  Histogram out;
+  if (descriptors.empty()) return out;
+  cv::BOWImgDescriptorExtractor extractor(cv::makePtr<cv::BFMatcher>(cv::NORM_L2));
+  extractor.setVocabulary(centres);
+  cv::Mat parts;
+  extractor.compute(descriptors, parts);
+  for (int word = 0; word < parts.cols; ++word) {
+    if (parts.at<float>(word) == 0) continue;
+    out.words.push_back(word);
+    out.parts.push_back(parts.at<float>(word));
+  }
+  return out;
 }
 
 // At most `most` rows, chosen at random.
@@ -71,13 +74,13 @@ Vocabulary train(std::size_t count, const std::function<cv::Mat(std::size_t)>& i
              cv::KMEANS_PP_CENTERS, out.centres);
   out.training.resize(count);
   tbb::parallel_for(std::size_t{0}, count,
-                    [&](std::size_t i) { out.training[i] = nearest(each[i], out.centres); });
+                    [&](std::size_t i) { out.training[i] = counted(each[i], out.centres).words; });
   out.tree = learn_tree(out.training, config.words);
   return out;
 }
 
-Words words_of(const cv::Mat& image, const Vocabulary& vocabulary) {
-  return nearest(descriptors_of(image, vocabulary.features), vocabulary.centres);
+Histogram histogram_of(const cv::Mat& image, const Vocabulary& vocabulary) {
+  return counted(descriptors_of(image, vocabulary.features), vocabulary.centres);
 }
 
 }  // namespace sailmap::fabmap

@@ -312,10 +312,10 @@ TEST(Training, MakesAVocabularyThatRecognises) {
   const Vocabulary vocabulary = train(images.size(), image, config);
   EXPECT_EQ(vocabulary.centres.rows, 40);
   EXPECT_EQ(vocabulary.training.size(), images.size());
-  EXPECT_EQ(words_of(images[3], vocabulary), vocabulary.training[3]);
+  EXPECT_EQ(histogram_of(images[3], vocabulary).words, vocabulary.training[3]);
   Fabmap fabmap(vocabulary, {});
-  for (unsigned place = 100; place < 106; ++place) fabmap.add(words_of(scene(place), vocabulary));
-  const std::vector<double> odds = fabmap.log_odds(words_of(scene(102), vocabulary), 6);
+  for (unsigned place = 100; place < 106; ++place) fabmap.add(histogram_of(scene(place), vocabulary).words);
+  const std::vector<double> odds = fabmap.log_odds(histogram_of(scene(102), vocabulary).words, 6);
   EXPECT_EQ(std::ranges::max_element(odds) - odds.begin(), 2);
   config.words = 100000;
   EXPECT_THAT([&] { train(images.size(), image, config); },

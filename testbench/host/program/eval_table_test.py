@@ -18,6 +18,7 @@ METHODS = [
     "paper_weighted",
     {"name": "context 5", "method": "context", "temporal": 5},
     {"name": "FAB-MAP", "method": "fabmap", "words": 40},
+    {"method": "bow", "words": 40},
 ]
 
 
@@ -75,12 +76,14 @@ class EvalTable(ProgramCase):
             )
         fabmap = ["--method", "fabmap", "--vocabulary"]
         self.assert_same_figures(rows["world"]["FAB-MAP"], self.single(*world, *fabmap, "words.json"))
+        bow = self.single(*world, "--method", "bow", "--vocabulary", "words.json")
+        self.assert_same_figures(rows["world"]["bow"], bow)
         self.run_program("fabmap", "train", "data/world/images", "--words", "40", "--out", "world.json")
         self.assert_same_figures(rows["laps"]["FAB-MAP"], self.single(*laps, *fabmap, "world.json"))
         self.assertIn("no vocabulary", rows["lap in lap"]["FAB-MAP"]["skipped"])
 
         lines = list(csv.DictReader(io.StringIO((self.folder / "t.csv").read_text())))
-        self.assertEqual(len(lines), 9)
+        self.assertEqual(len(lines), 12)
         for line in lines:
             self.assertNotIn(None, line.values())
             result = rows[line["data_set"]][line["method"]]
@@ -206,7 +209,7 @@ class EvalTable(ProgramCase):
         fails_with(7, "data set 2: must be an object")
         other = {**good, "name": "B"}
         fails_with(other, "method 1: no method 'sift'", ["sift"])
-        fails_with(other, "method 1 'x': words is for the method fabmap", [{"name": "x", "method": "paper", "words": 3}])
+        fails_with(other, "method 1 'x': words is for the methods fabmap and bow", [{"name": "x", "method": "paper", "words": 3}])
         fails_with(other, "method 'fabmap': data/gone.json", [{"method": "fabmap", "vocabulary": "gone.json"}])
         fails_with(other, "methods must be a list", [])
         (self.folder / "data/table.json").write_text("{")
@@ -245,7 +248,7 @@ class EvalFabmap(ProgramCase):
         np.testing.assert_array_equal(np.isnan(scores), columns >= rows - 3)
         result = self.json("e.json")
         self.assertEqual(result["recall_at"]["1"], 1)
-        self.assertEqual(result["config"]["fabmap"]["words"], 40)
+        self.assertEqual(result["config"]["vocabulary"]["words"], 40)
         self.assertEqual(result["config"]["temporal"], 4)
         self.assertEqual(result["fixed_threshold"]["threshold"], 4.6)
         self.assertIn("images, fabmap, temporal filter of 4 images", printed)
@@ -259,15 +262,16 @@ class EvalFabmap(ProgramCase):
             self.assertEqual((self.folder / f"1.{end}").read_bytes(), (self.folder / f"3.{end}").read_bytes())
 
     def test_vocabulary_faults(self):
-        self.fails(*self.laps, says="--method fabmap and --vocabulary go together", code=2)
+        self.fails(*self.laps, says="--vocabulary and the methods fabmap and bow go together", code=2)
         self.fails(*self.laps[:-1], "paper", "--vocabulary", "words.json", says="go together", code=2)
         self.fails(*self.laps, "--vocabulary", "gone.json", says="gone.json")
         self.fails(*self.laps, "--vocabulary", "truth.txt", says="truth.txt: not a sailmap vocabulary")
 
     def test_other_commands_say_so(self):
         for command in (["match", "images/0.png", "images/1.png"], ["run", "images", "--map", "m.json"]):
-            self.run_program(*command, "--method", "fabmap", code=2)
-            self.assertIn("fabmap is a method of `sailmap eval` alone", self.errors)
+            for method in ("fabmap", "bow"):
+                self.run_program(*command, "--method", method, code=2)
+                self.assertIn(f"{method} is a method of `sailmap eval` alone", self.errors)
 
 
 if __name__ == "__main__":
