@@ -114,8 +114,8 @@ TableDataSet data_set_from(const json& object, const fs::path& path, const std::
 
 TableMethod method_from(const json& value, const fs::path& path, const std::string& where,
                         const Recogniser& common) {
-  const json object = value.is_string() ? json{{"method", value}} : value;
-  const JsonFields fields(object, where,
+  const json named = value.is_string() ? json{{"method", value}} : json();
+  const JsonFields fields(value.is_string() ? named : value, where,
                           {"name", "method", "threshold", "temporal", "vocabulary", "words", "features"});
   TableMethod out{fields.text("name", fields.text("method")), common, {}};
   Recogniser& recogniser = out.recogniser;

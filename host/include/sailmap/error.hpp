@@ -2,13 +2,15 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace sailmap {
 
 // Something from outside is wrong: the message is one line that names the input and the fault.
 class Error : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  // What a message quotes may hold anything: each control character in it, line ends too, becomes a '?'.
+  explicit Error(const std::string& message);
 };
 
 }  // namespace sailmap

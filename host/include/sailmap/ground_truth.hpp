@@ -20,9 +20,9 @@ enum class Side { left, right };
 GroundTruth read_text_ground_truth(const std::filesystem::path& path, int queries, int candidates);
 
 // MATLAB .mat: the one two-dimensional numeric or logical matrix of the file (FAB-MAP's loop matrices), dense
-// or sparse, in the format of MATLAB 5 to 7.2; non-zero at (query, candidate) means the same place. Throws
-// Error when there is none, or several, when the matrix is not queries x candidates or holds NaN, and when
-// the file is cut short or damaged.
+// or sparse, in the format of MATLAB 5 to 7.2; non-zero at (query, candidate) means the same place. Text
+// beside it does no harm. Throws Error when there is no matrix, or several, when it is not queries x
+// candidates or holds NaN, and when the file is cut short, damaged, or holds cells, structures or objects.
 GroundTruth read_mat_ground_truth(const std::filesystem::path& path, int queries, int candidates);
 
 // Position of each image, metres in a local plane (or the data set's own unit).

@@ -1,5 +1,4 @@
 // A place descriptor as text: hexadecimal digits, words in the order of the structures.
-#include <charconv>
 #include <string>
 
 #include "sailmap/error.hpp"
@@ -19,10 +18,13 @@ void append(std::string& text, std::uint64_t word) {
 
 std::uint64_t word_at(const std::string& text, std::size_t index) {
   std::uint64_t word = 0;
-  const char* begin = text.data() + index * word_digits;
-  const auto [end, fault] = std::from_chars(begin, begin + word_digits, word, 16);
-  if (fault != std::errc() || end != begin + word_digits) {
-    throw Error("place descriptor: no hexadecimal digits at word " + std::to_string(index));
+  for (std::size_t i = index * word_digits; i < (index + 1) * word_digits; ++i) {
+    const char digit = text[i];
+    const bool decimal = digit >= '0' && digit <= '9';
+    if (!decimal && (digit < 'a' || digit > 'f')) {
+      throw Error("place descriptor: no hexadecimal digits at word " + std::to_string(index));
+    }
+    word = word << 4U | static_cast<std::uint64_t>(decimal ? digit - '0' : digit - 'a' + 10);
   }
   return word;
 }

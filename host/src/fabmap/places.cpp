@@ -51,6 +51,22 @@ void check(const FabmapConfig& config) {
   if (!right) throw Error("fabmap: a probability of the configuration is out of range");
 }
 
+// Do the parents of every word lead to a root?
+bool is_forest(const ChowLiuTree& tree) {
+  std::vector<bool> rooted(tree.size(), false);
+  std::vector<std::size_t> path;
+  for (std::size_t word = 0; word < tree.size(); ++word) {
+    path.clear();
+    for (std::size_t at = word; !rooted[at]; at = static_cast<std::size_t>(tree[at].parent)) {
+      path.push_back(at);
+      if (path.size() > tree.size()) return false;
+      if (tree[at].parent < 0) break;
+    }
+    for (const std::size_t at : path) rooted[at] = true;
+  }
+  return true;
+}
+
 void check(const ChowLiuTree& tree) {
   const auto proper = [](double p) { return p > 0 && p < 1; };
   for (const TreeNode& node : tree) {
@@ -59,6 +75,7 @@ void check(const ChowLiuTree& tree) {
       throw Error("fabmap: a probability or parent of the tree is out of range");
     }
   }
+  if (!is_forest(tree)) throw Error("fabmap: the parents of a word lead in a circle");
 }
 
 }  // namespace

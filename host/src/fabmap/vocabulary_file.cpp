@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../io/file_reading.hpp"
+#include "../io/json_numbers.hpp"
 #include "check.hpp"
 #include "sailmap/fabmap.hpp"
 #include "sailmap/file.hpp"
@@ -10,6 +11,7 @@
 namespace sailmap::fabmap {
 namespace {
 
+using io::whole_number;
 using nlohmann::ordered_json;
 
 constexpr const char* format_name = "sailmap fabmap vocabulary";
@@ -25,13 +27,12 @@ ordered_json to_json(const cv::Mat& centres) {
 }
 
 cv::Mat centres_from(const ordered_json& rows) {
-  cv::Mat out(static_cast<int>(rows.size()), descriptor_size, CV_32F);
-  for (int y = 0; y < out.rows; ++y) {
-    const auto row = rows.at(static_cast<std::size_t>(y)).get<std::vector<float>>();
+  std::vector<float> numbers;  // grows with the file, whatever number of rows it begins
+  for (const ordered_json& row : rows) {
     if (row.size() != descriptor_size) throw Error("a word is not of 128 numbers");
-    std::copy(row.begin(), row.end(), out.ptr<float>(y));
+    for (const ordered_json& number : row) numbers.push_back(io::single(number));
   }
-  return out;
+  return cv::Mat(numbers, true).reshape(1, static_cast<int>(rows.size()));
 }
 
 ordered_json to_json(const ChowLiuTree& tree) {
@@ -45,20 +46,30 @@ ordered_json to_json(const ChowLiuTree& tree) {
 ChowLiuTree tree_from(const ordered_json& nodes) {
   ChowLiuTree tree;
   for (const ordered_json& node : nodes) {
-    tree.push_back({node.at(0).get<int>(), node.at(1).get<double>(), node.at(2).get<double>(),
+    tree.push_back({whole_number(node.at(0)), node.at(1).get<double>(), node.at(2).get<double>(),
                     node.at(3).get<double>()});
   }
   return tree;
 }
 
+std::vector<Words> training_from(const ordered_json& images) {
+  std::vector<Words> training;
+  for (const ordered_json& image : images) {
+    Words& words = training.emplace_back();
+    for (const ordered_json& word : image) words.push_back(whole_number(word));
+  }
+  return training;
+}
+
 Vocabulary vocabulary_from(const ordered_json& json) {
   if (json.at("format") != format_name) throw Error("not a sailmap vocabulary");
-  if (json.at("version") != format_version) {
-    throw Error("vocabulary format version " + json.at("version").dump() + ", this program reads version " +
+  const int version = whole_number(json.at("version"));
+  if (version != format_version) {
+    throw Error("vocabulary format version " + std::to_string(version) + ", this program reads version " +
                 std::to_string(format_version));
   }
   Vocabulary out{centres_from(json.at("centres")), tree_from(json.at("tree")),
-                 json.at("training").get<std::vector<Words>>(), json.at("features").get<int>()};
+                 training_from(json.at("training")), whole_number(json.at("features"))};
   if (out.centres.rows < 2 || out.tree.size() != static_cast<std::size_t>(out.centres.rows)) {
     throw Error(std::to_string(out.centres.rows) + " words but a tree of " + std::to_string(out.tree.size()));
   }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -19,7 +20,8 @@ struct Row {
 
 int parse_index(const std::filesystem::path& path, const io::Line& line, std::string_view word) {
   const auto index = io::parse_integer(word);
-  if (!index || *index < 0) {
+  // Of so many images even the count fits.
+  if (!index || *index < 0 || *index == std::numeric_limits<int>::max()) {
     throw io::line_error(path, line, "not an image index: '" + std::string(word) + "'");
   }
   return *index;

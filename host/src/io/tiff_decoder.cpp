@@ -4,10 +4,12 @@
 #include <array>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
+#include <span>
 #include <string>
-#include <vector>
 
 #include "image_decoders.hpp"
 #include "sailmap/error.hpp"
@@ -107,7 +109,13 @@ cv::Mat decode_tiff(Bytes file) {
   if (!tiff) fail(source);
   const Header header = read_header(tiff.get(), source);
   source.ran_out = false;
-  std::vector<std::uint32_t> raster(std::size_t{header.width} * header.height);
+  const std::size_t pixels = std::size_t{header.width} * header.height;
+  // Zeros that the system gives when they are first used: a header alone, however large its image, costs
+  // none.
+  const std::unique_ptr<void, decltype(&std::free)> memory(std::calloc(pixels, sizeof(std::uint32_t)),
+                                                           &std::free);
+  if (!memory) throw std::bad_alloc();
+  const std::span<std::uint32_t> raster(static_cast<std::uint32_t*>(memory.get()), pixels);
   // Asking for the orientation that is stored leaves the pixels as they lie.
   if (TIFFReadRGBAImageOriented(tiff.get(), header.width, header.height, raster.data(), header.orientation,
                                 1) == 0) {

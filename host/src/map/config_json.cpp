@@ -5,10 +5,13 @@
 #include <limits>
 #include <string>
 
+#include "io/json_numbers.hpp"
 #include "sailmap/error.hpp"
 
 namespace sailmap {
 
+using io::single;
+using io::whole_number;
 using nlohmann::ordered_json;
 
 std::string_view name(Inhibition inhibition) {
@@ -71,9 +74,9 @@ ordered_json to_json(const MapConfig& config) {
 MapConfig map_config_from_json(const ordered_json& json) {
   MapConfig config;
   const auto& r = json.at("regions");
-  r.at("max_regions").get_to(config.regions.max_regions);
+  config.regions.max_regions = whole_number(r.at("max_regions"));
   r.at("stop_ratio").get_to(config.regions.stop_ratio);
-  r.at("box_side").get_to(config.regions.box_side);
+  config.regions.box_side = whole_number(r.at("box_side"));
   config.regions.inhibition = inhibition_from_name(r.at("inhibition").get<std::string>());
   r.at("inhibition_radius").get_to(config.regions.inhibition_radius);
   config.regions.descriptor = descriptor_kind_from_name(r.at("descriptor").get<std::string>());
@@ -85,14 +88,15 @@ MapConfig map_config_from_json(const ordered_json& json) {
   m.at("similarity_cap").get_to(config.match.similarity_cap);
   const auto& d = json.at("detection");
   d.at("threshold").get_to(config.detection.threshold);
-  d.at("min_matches").get_to(config.detection.min_matches);
+  config.detection.min_matches = whole_number(d.at("min_matches"));
   d.at("ambiguity_ratio").get_to(config.detection.ambiguity_ratio);
-  d.at("same_place_nodes").get_to(config.detection.same_place_nodes);
-  json.at("exclude_recent").get_to(config.exclude_recent);
+  config.detection.same_place_nodes = whole_number(d.at("same_place_nodes"));
+  config.exclude_recent = whole_number(json.at("exclude_recent"));
   json.at("loop_edges").get_to(config.loop_edges);
   json.at("sparse").get_to(config.sparse);
   json.at("sparse_threshold").get_to(config.sparse_threshold);
-  config.temporal = json.value("temporal", 0);  // not in maps made before there was a filter
+  // Not in maps made before there was a filter.
+  config.temporal = json.contains("temporal") ? whole_number(json.at("temporal")) : 0;
   return config;
 }
 
@@ -110,34 +114,29 @@ ordered_json to_json(const Signature& signature) {
 
 namespace {
 
-std::int16_t coordinate_from_json(const ordered_json& json) {
-  const auto value = json.get<double>();
-  if (!(value >= 0 && value <= std::numeric_limits<std::int16_t>::max()) || value != std::floor(value)) {
+// Of a region, on an image of so many pixels along this axis.
+std::int16_t coordinate_from_json(const ordered_json& json, int pixels) {
+  const int value = whole_number(json);
+  if (value < 0 || value >= pixels || value > std::numeric_limits<std::int16_t>::max()) {
     throw Error("a region's position is not a pixel of the image: " + json.dump());
   }
   return static_cast<std::int16_t>(value);
 }
 
-float single_from_json(const ordered_json& json) {
-  const auto value = json.get<double>();
-  if (!(std::abs(value) <= std::numeric_limits<float>::max())) {
-    throw Error("a region's number is out of range: " + json.dump());
-  }
-  return static_cast<float>(value);
-}
-
 }  // namespace
 
 Signature signature_from_json(const ordered_json& json) {
-  Signature signature{json.at("width").get<int>(), json.at("height").get<int>(), {}};
+  Signature signature{whole_number(json.at("width")), whole_number(json.at("height")), {}};
+  if (signature.width < 1 || signature.height < 1) throw Error("an image without pixels");
   for (const auto& region : json.at("regions")) {
     const auto& descriptor = region.at("descriptor");
     if (descriptor.size() != feature_count) throw Error("a descriptor has not ten numbers");
-    Region& out = signature.regions.emplace_back(Region{coordinate_from_json(region.at("x")),
-                                                        coordinate_from_json(region.at("y")),
-                                                        single_from_json(region.at("saliency")),
-                                                        {}});
-    for (std::size_t i = 0; i < feature_count; ++i) out.descriptor[i] = single_from_json(descriptor.at(i));
+    Region& out =
+        signature.regions.emplace_back(Region{coordinate_from_json(region.at("x"), signature.width),
+                                              coordinate_from_json(region.at("y"), signature.height),
+                                              single(region.at("saliency")),
+                                              {}});
+    for (std::size_t i = 0; i < feature_count; ++i) out.descriptor[i] = single(descriptor.at(i));
   }
   if (json.contains("place")) signature.place = place_from_text(json.at("place").get<std::string>());
   return signature;
@@ -152,7 +151,7 @@ ordered_json to_json(const Candidate& candidate) {
 
 Candidate candidate_from_json(const ordered_json& json) {
   if (json.is_null()) return {};
-  return {json.at("node").get<int>(), json.at("similarity").get<double>()};
+  return {whole_number(json.at("node")), json.at("similarity").get<double>()};
 }
 
 }  // namespace
@@ -175,7 +174,7 @@ Detection detection_from_json(const ordered_json& json) {
   detection.runner_up = candidate_from_json(json.at("runner_up"));
   for (const auto& m : json.at("matches")) {
     detection.matches.push_back(
-        {m.at("query").get<int>(), m.at("candidate").get<int>(), m.at("distance").get<double>()});
+        {whole_number(m.at("query")), whole_number(m.at("candidate")), m.at("distance").get<double>()});
   }
   return detection;
 }

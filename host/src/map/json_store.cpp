@@ -1,7 +1,9 @@
 // The map file of today: one JSON document, replaced whole at each save.
-#include <fstream>
+#include <system_error>
 #include <utility>
 
+#include "io/file_reading.hpp"
+#include "io/json_numbers.hpp"
 #include "map_json.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/file.hpp"
@@ -19,16 +21,19 @@ class JsonStore : public MapStore {
  public:
   explicit JsonStore(std::filesystem::path path) : path_(std::move(path)) {}
 
-  [[nodiscard]] bool exists() const override { return std::filesystem::exists(path_); }
+  [[nodiscard]] bool exists() const override {
+    std::error_code unknown;
+    return std::filesystem::exists(path_, unknown);
+  }
 
   [[nodiscard]] StoredMap load() const override {
-    std::ifstream in(path_, std::ios::binary);
-    if (!in || std::filesystem::is_directory(path_)) throw Error(path_.string() + ": cannot be read");
+    std::ifstream in = io::open_for_reading(path_);
     try {
       const ordered_json json = ordered_json::parse(in);
       if (json.at("format") != format_name) throw Error("not a sailmap map");
-      if (json.at("version") != format_version) {
-        throw Error("map format version " + json.at("version").dump() + ", this program reads version " +
+      const int version = io::whole_number(json.at("version"));
+      if (version != format_version) {
+        throw Error("map format version " + std::to_string(version) + ", this program reads version " +
                     std::to_string(format_version));
       }
       return {map_from_json(json.at("map")), json.at("frontend").get<std::string>()};

@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "config_json.hpp"
+#include "io/json_numbers.hpp"
 
 namespace sailmap {
 
+using io::whole_number;
 using nlohmann::ordered_json;
 
 ordered_json to_json(const TopologicalMap& map) {
@@ -40,26 +42,26 @@ ordered_json to_json(const TopologicalMap& map) {
 TopologicalMap map_from_json(const ordered_json& json) {
   std::vector<Node> nodes;
   for (const auto& node : json.at("nodes")) {
-    Node out{node.at("id").get<int>(), {}};
+    Node out{whole_number(node.at("id")), {}};
     for (const auto& view : node.at("views")) {
-      out.views.push_back({view.at("image").get<int>(), view.at("name").get<std::string>(),
+      out.views.push_back({whole_number(view.at("image")), view.at("name").get<std::string>(),
                            signature_from_json(view.at("signature"))});
     }
     nodes.push_back(std::move(out));
   }
   std::vector<Edge> edges;
   for (const auto& edge : json.at("edges")) {
-    edges.push_back({edge.at("from").get<int>(), edge.at("to").get<int>(),
+    edges.push_back({whole_number(edge.at("from")), whole_number(edge.at("to")),
                      edge_kind_from_name(edge.at("kind").get<std::string>())});
   }
   std::vector<Update> history;
   for (const auto& image : json.at("images")) {
-    history.push_back({image.at("image").get<int>(), image.at("name").get<std::string>(),
-                       image.at("node").get<int>(), image.at("new_node").get<bool>(),
+    history.push_back({whole_number(image.at("image")), image.at("name").get<std::string>(),
+                       whole_number(image.at("node")), image.at("new_node").get<bool>(),
                        detection_from_json(image.at("detection"))});
   }
   return {map_config_from_json(json.at("config")), std::move(nodes), std::move(edges), std::move(history),
-          json.at("active").get<int>()};
+          whole_number(json.at("active"))};
 }
 
 }  // namespace sailmap

@@ -79,8 +79,17 @@ TopologicalMap::TopologicalMap(MapConfig config, std::vector<Node> nodes, std::v
     demand(is_node(edge.from) && is_node(edge.to),
            "edge " + std::to_string(edge.from) + "-" + std::to_string(edge.to) + " leads to no node");
   }
-  for (const Update& update : history_) {
-    demand(is_node(update.node), "image " + std::to_string(update.image) + " belongs to no node");
+  for (int i = 0; i < images(); ++i) {
+    const Update& update = history_[static_cast<std::size_t>(i)];
+    const std::string image = "image " + std::to_string(i);
+    demand(update.image == i, image + " is numbered " + std::to_string(update.image));
+    demand(is_node(update.node), image + " belongs to no node");
+    for (const int candidate : {update.detection.best.node, update.detection.runner_up.node}) {
+      demand(candidate == Candidate{}.node || is_node(candidate), image + " was compared with no node");
+    }
+    for (const RegionMatch& match : update.detection.matches) {
+      demand(match.query >= 0 && match.candidate >= 0, image + " has a matched region that is none");
+    }
   }
   demand(count == 0 ? active_ == -1 : is_node(active_), "the active node does not exist");
   for (const Node& node : nodes_) {
