@@ -14,9 +14,8 @@ SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 # Heading of each group of benchmarks, by the first part of the name, and what a reader must know of it.
 GROUPS = {
     "frontend": ("Front ends", "8-bit BGR to all maps."),
-    "regions": ("Regions and descriptors", "Inhibition of return, boxes and descriptors, from the maps."),
-    "image_to_signature": ("Image to signature", "8-bit BGR to regions with descriptors: what `run` does with an image."),
-    "stage": ("Stages of `fixed`", "Each alone, on the output of the one before."),
+    "regions": ("Image to regions", "8-bit BGR to regions with descriptors, by `fixed`: what `run` does with an image."),
+    "stage": ("Stages of `fixed`", "Each alone, on the output of the one before; `signature` is inhibition of return and the descriptors, from the maps."),
     "context": ("Method `context`", "Beyond the front end."),
     "match": ("Two images", "`match()` of two signatures of 20 regions."),
     "query": ("Query with the index", "Best node and runner-up among so many nodes of 20 regions: the exact answer. The image is of no place in the map, on a simulated way: the hard case, because no similarity ends the search early."),
