@@ -79,8 +79,10 @@ TEST(PlaceDescriptor, DamagedTextIsRefused) {
   std::string text = to_text(describe_place(scene_maps(9)));
   EXPECT_THROW(place_from_text(text.substr(1)), Error);
   EXPECT_THROW(place_from_text(""), Error);
-  text[20] = 'x';
-  EXPECT_THROW(place_from_text(text), Error);
+  for (const char wrong : {'x', 'A', '-', ' '}) {
+    text[20] = wrong;
+    EXPECT_THROW(place_from_text(text), Error) << wrong;
+  }
   EXPECT_THROW(place_from_text(std::string(16 * (32 + 86 * 11), '0')), Error);  // a region too many
 }
 

@@ -9,7 +9,6 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "host/io/temporary_folder.hpp"
 #include "sailmap/error.hpp"
 
 namespace sailmap::fabmap {
@@ -182,6 +181,8 @@ TEST(Places, TheIndexIsExact) {
 TEST(Places, RefuseBadNumbers) {
   EXPECT_THROW(Places({{-1, 1.0, 0.5, 0.5}}, {}), Error);
   EXPECT_THROW(Places({{5, 0.5, 0.5, 0.5}}, {}), Error);
+  EXPECT_THROW(Places({{0, 0.5, 0.5, 0.5}}, {}), Error);
+  EXPECT_THROW(Places({{-1, 0.5, 0.5, 0.5}, {2, 0.5, 0.5, 0.5}, {1, 0.5, 0.5, 0.5}}, {}), Error);
   FabmapConfig config;
   config.detect_present = 1;
   EXPECT_THROW(Places({{-1, 0.5, 0.5, 0.5}}, config), Error);
@@ -320,40 +321,6 @@ TEST(Training, MakesAVocabularyThatRecognises) {
   config.words = 100000;
   EXPECT_THAT([&] { train(images.size(), image, config); },
               ThrowsMessage<Error>(HasSubstr("too few for 100000 words")));
-}
-
-TEST(VocabularyFile, IsReadAsWritten) {
-  const testing::TemporaryFolder folder;
-  Vocabulary written = of_words(pairs, 3);
-  written.features = 321;
-  write_vocabulary(folder.path() / "v.json", written);
-  const Vocabulary read = read_vocabulary(folder.path() / "v.json");
-  EXPECT_EQ(read.training, written.training);
-  EXPECT_EQ(read.features, 321);
-  EXPECT_EQ(cv::countNonZero(read.centres != written.centres), 0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(read.tree[i].parent, written.tree[i].parent);
-    EXPECT_EQ(read.tree[i].given_parent, written.tree[i].given_parent);
-  }
-}
-
-TEST(VocabularyFile, DamageIsNamed) {
-  const testing::TemporaryFolder folder;
-  const auto expect_fault = [&](const std::string& text, const std::string& fault) {
-    const auto path = folder.file("v.json", text);
-    EXPECT_THAT([&] { read_vocabulary(path); },
-                ThrowsMessage<Error>(AllOf(HasSubstr("v.json: "), HasSubstr(fault))));
-  };
-  expect_fault("", "damaged");
-  expect_fault("{}", "damaged");
-  expect_fault(R"({"format": "else"})", "not a sailmap vocabulary");
-  expect_fault(R"({"format": "sailmap fabmap vocabulary", "version": 9})", "version 9");
-  expect_fault(
-      R"({"format": "sailmap fabmap vocabulary", "version": 1, "features": 500, "centres": [], "tree": [],
-          "training": []})",
-      "0 words");
-  EXPECT_THAT([&] { read_vocabulary(folder.path() / "none.json"); },
-              ThrowsMessage<Error>(HasSubstr("none.json")));
 }
 
 }  // namespace

@@ -169,6 +169,27 @@ TEST_F(MatGroundTruth, DamagedCompressedVariableIsAnErrorOrHarmless) {
   EXPECT_GT(errors, (whole.size() - begin) * 9 / 10);
 }
 
+// matio would take them at their word: gigabytes for a file of 400 bytes.
+TEST_F(MatGroundTruth, SizesThatDoNotFitTheFileAreErrors) {
+  add_dense(create(path_), "m", MAT_C_DOUBLE, MAT_T_DOUBLE, 1.0);
+  const std::string whole = testing::content_of(path_);
+  // The highest bytes of the sizes of the flags, the dimensions, the name (in its own tag) and the numbers.
+  for (const std::size_t at : std::array<std::size_t, 4>{143, 159, 171, 183}) {
+    std::string damaged = whole;
+    damaged[at] = '\x60';
+    static_cast<void>(folder_.file("gt.mat", damaged));
+    EXPECT_THAT(reading(), throws_naming(path_, "damaged MATLAB file")) << at;
+  }
+}
+
+TEST_F(MatGroundTruth, CellsAndStructuresAreNotRead) {
+  add_dense(create(path_), "m", MAT_C_DOUBLE, MAT_T_DOUBLE, 1.0);
+  std::string structure = testing::content_of(path_);
+  structure[144] = MAT_C_STRUCT;
+  static_cast<void>(folder_.file("gt.mat", structure));
+  EXPECT_THAT(reading(), throws_naming(path_, "holds cells, structures or objects"));
+}
+
 TEST_F(MatGroundTruth, KeepsTheDiagonalOfTwoTraverses) {
   std::array<std::size_t, 2> size = {2, 2};
   std::array<double, 4> identity = {1, 0, 0, 1};

@@ -42,6 +42,9 @@ TEST_F(TextGroundTruth, NamesFileLineAndFault) {
         Case{"1: 0 1.5\n", ":1", "not an image index: '1.5'"},
         Case{"-1: 0\n", ":1", "not an image index: '-1'"}, Case{": 0\n", ":1", "not an image index: ''"},
         Case{"1: 99999999999999999999\n", ":1", "not an image index"},
+        Case{"1: 2147483647\n", ":1", "not an image index"},
+        Case{"1: a\rb\x1B\n", ":1", "not an image index: 'a'"},
+        Case{"1: a\x1B\n", ":1", "not an image index: 'a?'"},
         Case{"1: 0: 2\n", ":1", "not an image index: '0:'"},
         Case{"# only a comment\n", "", "no ground truth"}}) {
     const auto path = file(c.content);

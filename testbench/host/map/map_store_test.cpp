@@ -107,6 +107,54 @@ TEST_F(MapStoreTest, DamagedFilesAreNamedAndNotLoaded) {
   EXPECT_THAT(fault(), HasSubstr("a descriptor has not ten numbers"));
 }
 
+// A change to a good file, and what is said of it.
+struct Damage {
+  const char* at;  // JSON pointer
+  nlohmann::ordered_json value;
+  const char* fault;
+};
+
+TEST_F(MapStoreTest, NumbersThatMeanNothingAreRefused) {
+  open_map_store(path_)->save(testing::map_of({0, 1, 2, 3, 0}), "reference");
+  const auto good = nlohmann::ordered_json::parse(text());
+  const Damage damages[] = {
+      {"/map/active", 4294967296, "a whole number expected, not 4294967296"},
+      {"/map/active", -2147483649, "a whole number expected"},
+      {"/map/active", 1e300, "a whole number expected, not 1e+300"},
+      {"/map/active", 0.5, "a whole number expected, not 0.5"},
+      {"/map/active", true, "a whole number expected, not boolean"},
+      {"/map/nodes/0/views/0/signature/width", -300, "an image without pixels"},
+      {"/map/nodes/0/views/0/signature/regions/0/x", 300, "not a pixel of the image: 300"},
+      {"/map/nodes/0/views/0/signature/regions/0/y", -1, "not a pixel of the image: -1"},
+      {"/map/nodes/0/views/0/signature/regions/0/saliency", 1e39, "a number is out of range: 1e+39"},
+      {"/map/images/4/image", 3, "image 4 is numbered 3"},
+      {"/map/images/4/node", 9, "image 4 belongs to no node"},
+      {"/map/images/4/detection/best/node", 9, "image 4 was compared with no node"},
+      {"/map/images/4/detection/best/node", -3, "image 4 was compared with no node"},
+      {"/map/images/4/detection/matches/0/query", -1, "image 4 has a matched region that is none"},
+      {"/map/edges/0/kind", "a\nb", "no edge kind 'a?b'"},
+  };
+  for (const Damage& damage : damages) {
+    auto json = good;
+    json.at(nlohmann::ordered_json::json_pointer(damage.at)) = damage.value;
+    write(json.dump());
+    EXPECT_THAT(fault(), HasSubstr(damage.fault)) << damage.at;
+    EXPECT_THAT(fault(), ::testing::StartsWith(path_.string() + ": ")) << damage.at;
+  }
+}
+
+TEST_F(MapStoreTest, AnyDepthOfBracketsIsRefused) {
+  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+  write(R"({"format": "sailmap map", "version": )" + deep + "}");
+  EXPECT_THAT(fault(), HasSubstr("a whole number expected, not array"));
+}
+
+TEST_F(MapStoreTest, APathThatNoFileCanHaveDoesNotExist) {
+  const auto store = open_map_store(folder_ / std::string(300, 'x'));
+  EXPECT_FALSE(store->exists());
+  EXPECT_THROW((void)store->load(), Error);
+}
+
 TEST_F(MapStoreTest, AFolderThatCannotBeWrittenLeavesNothing) {
   const fs::path missing = folder_ / "missing" / "map.json";
   EXPECT_THROW(open_map_store(missing)->save(testing::map_of({0}), "reference"), Error);
