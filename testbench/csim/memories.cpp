@@ -83,6 +83,7 @@ int main() {
       "arrays of up to %d words in LUTs, the others in block memory\n%-6s %4s %-6s %10s %8s %8s %6s\n",
       shallow, "preset", "beat", "buffer", "kbit", "stores", "BRAM36", "LUT");
   print_preset<hls::Qvga>("QVGA");
+  print_sum<hls::Config<576, 432, 8>>("576");
   print_preset<hls::Vga>("VGA");
   print_preset<hls::Hd720>("720p");
   print_preset<hls::Hd1080>("1080p");
