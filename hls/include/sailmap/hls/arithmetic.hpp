@@ -165,13 +165,14 @@ constexpr int leading_bit(std::uint32_t value) {
 
 // `maximum`: raw, 1 to 65535; `maxima`: 1 to 2^18 (local maxima are never adjacent).
 constexpr Gain gain(std::uint32_t maximum, std::uint32_t maxima) {
-  if (maximum == 0) return Gain{0, 0};
   const int maximum_place = leading_bit(maximum);
   const int root_place = leading_bit(maxima) / 2;  // of sqrt(maxima)
   // maxima * 2^(34 - 2 root_place) is in [2^34, 2^36), its root in [2^17, 2^18): formats::square_root.
   const std::uint64_t root = isqrt(static_cast<std::uint64_t>(maxima) << (34 - 2 * root_place));
   const std::uint64_t scaled = static_cast<std::uint64_t>(maximum) << (15 - maximum_place);
-  return Gain{reciprocal(scaled * root), maximum_place + root_place};
+  // No return before this one: Bambu would keep the Gain in a memory.
+  const bool flat = maximum == 0;
+  return Gain{flat ? 0 : reciprocal(scaled * root), flat ? 0 : maximum_place + root_place};
 }
 
 // X~ or C~ of one pixel, value <= maximum. Both normalised formats are the same, below 1.

@@ -28,24 +28,22 @@ SAILMAP_MEMORY uint64_t MaximaRows<Config, Pair>::newer[Config::level_width(geom
 template <class Config, int Pair>
 SAILMAP_MEMORY uint64_t MaximaRows<Config, Pair>::older[Config::level_width(geometry::base_level)];
 
-// Three rows of one column, a pair each, and which of them lie inside the image.
+// Three rows of one column, a pair each, every sum one more than it is: 0 is less than any and stands for
+// what lies outside the image.
 struct MaximaColumn {
   uint64_t above, here, below;
-  bool has_above, has_here, has_below;
 };
+inline uint64_t raised(uint64_t sums) { return sums + wide_pair(1, 1); }
+inline uint64_t lowered(uint64_t sums) { return sums - wide_pair(1, 1); }
 
 // Lane `Lane` of the pair at the centre of three columns.
 template <int Lane>
 inline bool is_local_maximum(const MaximaColumn& left, const MaximaColumn& mid, const MaximaColumn& right) {
   const uint32_t v = wide_lane<Lane>(mid.here);
-  return (!left.has_above || v > wide_lane<Lane>(left.above)) &&
-         (!mid.has_above || v > wide_lane<Lane>(mid.above)) &&
-         (!right.has_above || v > wide_lane<Lane>(right.above)) &&
-         (!left.has_here || v > wide_lane<Lane>(left.here)) &&
-         (!right.has_here || v >= wide_lane<Lane>(right.here)) &&
-         (!left.has_below || v >= wide_lane<Lane>(left.below)) &&
-         (!mid.has_below || v >= wide_lane<Lane>(mid.below)) &&
-         (!right.has_below || v >= wide_lane<Lane>(right.below));
+  return v > wide_lane<Lane>(left.above) && v > wide_lane<Lane>(mid.above) &&
+         v > wide_lane<Lane>(right.above) && v > wide_lane<Lane>(left.here) &&
+         v >= wide_lane<Lane>(right.here) && v >= wide_lane<Lane>(left.below) &&
+         v >= wide_lane<Lane>(mid.below) && v >= wide_lane<Lane>(right.below);
 }
 
 inline uint8_t maxima_flags(const MaximaColumn& left, const MaximaColumn& mid, const MaximaColumn& right) {
@@ -71,7 +69,7 @@ void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& 
   const int h = geometry::base_side(height);
 #pragma nounroll
   for (int y = 0; y <= h; ++y) {
-    MaximaColumn left = {0, 0, 0, false, false, false};
+    MaximaColumn left = {0, 0, 0};
     MaximaColumn mid = left;
     MaximaColumn right = left;
 #pragma nounroll
@@ -79,18 +77,21 @@ void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& 
       SAILMAP_PIPELINE
       left = mid;
       mid = right;
-      right.has_above = x < w && y > 1;
-      right.has_here = x < w;
-      right.has_below = x < w && y < h;
+      right.above = 0;
+      right.here = 0;
+      right.below = 0;
       if (x < w) {
-        right.above = Rows::older[x];
-        right.here = Rows::newer[x];
-        if (y < h) right.below = in.read();
+        // Before row 0 the memories still hold another frame; what row 0 leaves in `older` is 0.
+        const uint64_t above = Rows::older[x];
+        const uint64_t here = Rows::newer[x];
+        right.above = y == 0 ? 0 : above;
+        right.here = y == 0 ? 0 : here;
+        if (y < h) right.below = raised(in.read());
         Rows::older[x] = right.here;
         Rows::newer[x] = right.below;
       }
       if (y > 0 && x > 0) {
-        out.write(stored_pair<Pair>(mid.here));
+        out.write(stored_pair<Pair>(lowered(mid.here)));
         flags.write(maxima_flags(left, mid, right));
       }
     }
