@@ -61,40 +61,57 @@ inline uint32_t stored_pair(uint64_t sums) {
                                        : pack(feature(a), feature(b));
 }
 
+// Column x with one row more, `below`.
+template <class Config, int Pair>
+inline MaximaColumn next_row(int x, uint64_t below) {
+  using Rows = MaximaRows<Config, Pair>;
+  const MaximaColumn column = {Rows::older[x], Rows::newer[x], below};
+  Rows::older[x] = column.here;
+  Rows::newer[x] = below;
+  return column;
+}
+
+// A loop for the first row, which gives nothing out, one for all others and one behind the last: without
+// cases Bambu needs half the time.
 template <class Config, int Pair>
 void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& flags, uint16_t width,
                   uint16_t height) {
   using Rows = MaximaRows<Config, Pair>;
   const int w = geometry::base_side(width);
   const int h = geometry::base_side(height);
+  const MaximaColumn outside = {0, 0, 0};
 #pragma nounroll
-  for (int y = 0; y <= h; ++y) {
-    MaximaColumn left = {0, 0, 0};
-    MaximaColumn mid = left;
-    MaximaColumn right = left;
+  for (int x = 0; x < w; ++x) {
+    SAILMAP_PIPELINE
+    Rows::older[x] = 0;
+    Rows::newer[x] = raised(in.read());
+  }
 #pragma nounroll
-    for (int x = 0; x <= w; ++x) {
+  for (int y = 1; y < h; ++y) {
+    MaximaColumn left = outside;
+    MaximaColumn mid = next_row<Config, Pair>(0, raised(in.read()));
+#pragma nounroll
+    for (int x = 1; x < w; ++x) {
       SAILMAP_PIPELINE
+      const MaximaColumn right = next_row<Config, Pair>(x, raised(in.read()));
+      out.write(stored_pair<Pair>(lowered(mid.here)));
+      flags.write(maxima_flags(left, mid, right));
       left = mid;
       mid = right;
-      right.above = 0;
-      right.here = 0;
-      right.below = 0;
-      if (x < w) {
-        // Before row 0 the memories still hold another frame; what row 0 leaves in `older` is 0.
-        const uint64_t above = Rows::older[x];
-        const uint64_t here = Rows::newer[x];
-        right.above = y == 0 ? 0 : above;
-        right.here = y == 0 ? 0 : here;
-        if (y < h) right.below = raised(in.read());
-        Rows::older[x] = right.here;
-        Rows::newer[x] = right.below;
-      }
-      if (y > 0 && x > 0) {
-        out.write(stored_pair<Pair>(lowered(mid.here)));
-        flags.write(maxima_flags(left, mid, right));
-      }
     }
+    out.write(stored_pair<Pair>(lowered(mid.here)));
+    flags.write(maxima_flags(left, mid, outside));
+  }
+  MaximaColumn left = outside;
+  MaximaColumn mid = next_row<Config, Pair>(0, 0);
+#pragma nounroll
+  for (int x = 1; x <= w; ++x) {
+    SAILMAP_PIPELINE
+    const MaximaColumn right = x < w ? next_row<Config, Pair>(x, 0) : outside;
+    out.write(stored_pair<Pair>(lowered(mid.here)));
+    flags.write(maxima_flags(left, mid, right));
+    left = mid;
+    mid = right;
   }
 }
 

@@ -30,9 +30,8 @@ void gains(stream<uint32_t>& statistics, stream<uint32_t>& statistics_out, strea
     const uint32_t word = statistics.read();
     statistics_out.write(word);
     if ((i & 1) != 0) {
-      const Gain g = gain(before, word);
-      gains_out.write(g.mantissa);
-      gains_out.write(static_cast<uint32_t>(g.shift));
+      gains_out.write(gain_mantissa(before, word));
+      gains_out.write(static_cast<uint32_t>(gain_shift(before, word)));
     }
     before = word;
   }
