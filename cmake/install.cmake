@@ -12,3 +12,4 @@ configure_package_config_file(cmake/sailmap-config.cmake.in sailmap-config.cmake
 write_basic_package_version_file(sailmap-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/sailmap-config.cmake ${PROJECT_BINARY_DIR}/sailmap-config-version.cmake
         DESTINATION ${package_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/share/paper_table.json DESTINATION ${CMAKE_INSTALL_DATADIR}/sailmap)

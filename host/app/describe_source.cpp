@@ -1,9 +1,11 @@
 #include "describe_source.hpp"
 
-#include <algorithm>
+#include <tbb/parallel_for.h>
+
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "image_pipeline.hpp"
@@ -14,22 +16,9 @@
 namespace sailmap::app {
 namespace {
 
-// The image files of the chosen side.
-std::vector<std::filesystem::path> chosen_images(const std::string& source, const DescribeOptions& options) {
-  std::vector<std::filesystem::path> all = list_images(source);
-  if (!options.oxford) return all;
-  if (all.size() % 2 != 0) {
-    throw Error(source + ": " + std::to_string(all.size()) +
-                " images, an odd number, cannot be left and right interleaved");
-  }
-  std::vector<std::filesystem::path> chosen;
-  for (std::size_t i = options.side == Side::left ? 0 : 1; i < all.size(); i += 2) chosen.push_back(all[i]);
-  return chosen;
-}
-
-std::unique_ptr<ImageSource> open_chosen(const std::string& source, const DescribeOptions& options) {
-  if (is_image_list(source)) return open_images(chosen_images(source, options));
-  if (options.oxford) throw Error(source + ": an oxford layout is a folder, glob or list of images");
+std::unique_ptr<ImageSource> open_selected(const std::string& source, const Selection& selection) {
+  if (is_image_list(source)) return open_images(selected_images(source, selection));
+  if (selection.oxford) throw Error(source + ": an oxford layout is a folder, glob or list of images");
   return open_source(source);
 }
 
@@ -39,44 +28,100 @@ int count_frames(ImageSource& source) {
   return count;
 }
 
-void append(DescribedSource& out, const std::string& name, Signature signature) {
-  if (!out.signatures.empty() && (signature.width != out.signatures.front().width ||
-                                  signature.height != out.signatures.front().height)) {
-    const Signature& first = out.signatures.front();
+void append(std::vector<Signature>& images, const std::string& name, Signature signature) {
+  if (!images.empty() &&
+      (signature.width != images.front().width || signature.height != images.front().height)) {
+    const Signature& first = images.front();
     throw Error(name + ": " + std::to_string(signature.width) + "x" + std::to_string(signature.height) +
                 " pixels, but the images before are " + std::to_string(first.width) + "x" +
                 std::to_string(first.height));
   }
-  out.signatures.push_back(std::move(signature));
+  images.push_back(std::move(signature));
+}
+
+// How many images a second, from its making until it is asked.
+class Rate {
+ public:
+  [[nodiscard]] double of(std::size_t images) const {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return seconds > 0 ? static_cast<double>(images) / seconds : 0;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// At most so many images, fewer at the end of the source.
+std::vector<PendingFrame> next_batch(ImageSource& source, std::size_t most) {
+  std::vector<PendingFrame> batch;
+  while (batch.size() < most) {
+    std::optional<PendingFrame> frame = source.next_pending();
+    if (!frame) break;
+    batch.push_back(std::move(*frame));
+  }
+  return batch;
 }
 
 }  // namespace
 
-SourceInfo inspect_source(const std::string& source, const DescribeOptions& options) {
-  if (is_image_list(source)) return {static_cast<int>(chosen_images(source, options).size())};
-  const auto opened = open_chosen(source, options);
+std::vector<std::filesystem::path> selected_images(const std::string& source, const Selection& selection) {
+  std::vector<std::filesystem::path> all = list_images(source);
+  if (!selection.oxford) return all;
+  if (all.size() % 2 != 0) {
+    throw Error(source + ": " + std::to_string(all.size()) +
+                " images, an odd number, cannot be left and right interleaved");
+  }
+  std::vector<std::filesystem::path> selected;
+  for (std::size_t i = selection.side == Side::left ? 0 : 1; i < all.size(); i += 2) {
+    selected.push_back(all[i]);
+  }
+  return selected;
+}
+
+int count_images(const std::string& source, const Selection& selection) {
+  if (is_image_list(source)) return static_cast<int>(selected_images(source, selection).size());
+  const auto opened = open_selected(source, selection);
   if (!std::filesystem::exists(source))
     throw Error(source + ": a camera cannot be evaluated, its images have no truth");
   // The frame count that a video's header claims is an estimate; only reading it through tells.
-  return {count_frames(*opened)};
+  return count_frames(*opened);
 }
 
-DescribedSource describe_source(const std::string& source, const DescribeOptions& options) {
-  const auto images = open_chosen(source, options);
-  const auto start = std::chrono::steady_clock::now();
+Described<Signature> describe_source(const std::string& source, const Selection& selection,
+                                     const std::string& frontend, const RegionConfig& regions) {
+  const auto images = open_selected(source, selection);
+  const Rate rate;
   Progress progress("describe", images->size());
-  DescribedSource out;
+  Described<Signature> out;
   ImagePipeline pipeline;
-  pipeline.frontend = options.frontend;
-  pipeline.regions = options.regions;
+  pipeline.frontend = frontend;
+  pipeline.regions = regions;
   pipeline.use = [&](const std::string& name, Signature signature) {
-    append(out, name, std::move(signature));
-    progress.step_to(static_cast<int>(out.signatures.size()));
+    append(out.images, name, std::move(signature));
+    progress.step_to(static_cast<int>(out.images.size()));
     return true;
   };
   run_pipeline(*images, pipeline);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  out.images_per_second = seconds > 0 ? static_cast<double>(out.signatures.size()) / seconds : 0;
+  out.images_per_second = rate.of(out.images.size());
+  return out;
+}
+
+Described<fabmap::Histogram> find_words(const std::string& source, const Selection& selection,
+                                        const fabmap::Vocabulary& vocabulary) {
+  constexpr std::size_t at_once = 64;
+  const auto images = open_selected(source, selection);
+  const Rate rate;
+  Progress progress("find words", images->size());
+  Described<fabmap::Histogram> out;
+  for (auto batch = next_batch(*images, at_once); !batch.empty(); batch = next_batch(*images, at_once)) {
+    const std::size_t before = out.images.size();
+    out.images.resize(before + batch.size());
+    tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
+      out.images[before + i] = fabmap::histogram_of(batch[i].read(), vocabulary);
+    });
+    progress.step_to(static_cast<int>(out.images.size()));
+  }
+  out.images_per_second = rate.of(out.images.size());
   return out;
 }
 

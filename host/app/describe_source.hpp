@@ -1,35 +1,42 @@
 // All images of a source, described on all cores.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "sailmap/fabmap.hpp"
 #include "sailmap/ground_truth.hpp"
 #include "sailmap/signature.hpp"
 
 namespace sailmap::app {
 
-struct DescribeOptions {
-  std::string frontend;
-  RegionConfig regions;
-  bool oxford = false;  // take the images of one side of an interleaved pair sequence
+// Which images of a source.
+struct Selection {
+  bool oxford = false;  // those of one side of an interleaved pair sequence
   Side side = Side::left;
 };
 
-struct SourceInfo {
-  int images = 0;  // of the chosen side
-};
+// The image files that are selected. Throws Error when the images do not pair up.
+std::vector<std::filesystem::path> selected_images(const std::string& source, const Selection& selection);
 
 // Counts the images. Throws Error when the source is no list of images or video, or its images do not pair
 // up.
-SourceInfo inspect_source(const std::string& source, const DescribeOptions& options);
+int count_images(const std::string& source, const Selection& selection);
 
-struct DescribedSource {
-  std::vector<Signature> signatures;  // in the order of the source
+// What is known of each image, in the order of the source.
+template <class T>
+struct Described {
+  std::vector<T> images;
   double images_per_second = 0;
 };
 
 // Throws Error when an image cannot be read or differs in size from the first.
-DescribedSource describe_source(const std::string& source, const DescribeOptions& options);
+Described<Signature> describe_source(const std::string& source, const Selection& selection,
+                                     const std::string& frontend, const RegionConfig& regions);
+
+// The visual words of each image. Throws Error when an image cannot be read.
+Described<fabmap::Histogram> find_words(const std::string& source, const Selection& selection,
+                                        const fabmap::Vocabulary& vocabulary);
 
 }  // namespace sailmap::app

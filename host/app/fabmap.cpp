@@ -1,4 +1,4 @@
-// sailmap fabmap train: the visual words that the method `fabmap` of `eval` needs.
+// sailmap fabmap train: the visual words that the methods `fabmap` and `bow` of `eval` need.
 #include "sailmap/fabmap.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "progress.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/image_source.hpp"
 
@@ -23,22 +22,21 @@ struct Options {
   fabmap::TrainingConfig config;
 };
 
-std::vector<cv::Mat> read_images(const Options& options) {
-  const std::vector<std::filesystem::path> paths = list_images(options.source);
-  Progress progress("read", static_cast<int>(paths.size()));
-  std::vector<cv::Mat> images;
-  for (std::size_t i = 0; i < paths.size(); i += static_cast<std::size_t>(options.every)) {
-    images.push_back(read_image(paths[i]));
-    progress.step_to(static_cast<int>(i) + 1);
+std::vector<std::filesystem::path> chosen_images(const Options& options) {
+  const std::vector<std::filesystem::path> all = list_images(options.source);
+  std::vector<std::filesystem::path> chosen;
+  for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(options.every)) {
+    chosen.push_back(all[i]);
   }
-  return images;
+  return chosen;
 }
 
 void train(const Options& options) {
+  const std::vector<std::filesystem::path> images = chosen_images(options);
   fabmap::Vocabulary vocabulary;
-  const std::vector<cv::Mat> images = read_images(options);
   try {
-    vocabulary = fabmap::train(images, options.config);
+    vocabulary = fabmap::train(
+        images.size(), [&images](std::size_t i) { return read_image(images[i]); }, options.config);
   } catch (const Error& fault) {
     throw Error(options.source + ": " + fault.what());
   }
@@ -75,7 +73,8 @@ void add_train(CLI::App& fabmap) {
 }  // namespace
 
 void add_fabmap(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("fabmap", "FAB-MAP, the paper's comparison: learn its vocabulary");
+  CLI::App* command =
+      app.add_subcommand("fabmap", "FAB-MAP, the paper's comparison, and bow: learn their vocabulary");
   command->require_subcommand(1);
   add_train(*command);
 }

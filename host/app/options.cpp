@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "map/config_json.hpp"
 #include "sailmap/frontend.hpp"
@@ -31,6 +32,12 @@ CLI::Option* add_choice(CLI::App& command, const std::string& flag, Enum& value,
       ->transform(CLI::CheckedTransformer(names).description(""))
       ->default_str(std::string(name(value)))
       ->type_name(list);
+}
+
+// They hold an image against others by words, which signatures and map files do not have.
+std::string refuse_words(const std::string& method) {
+  const bool on_words = method == fabmap_name || method == bow_name;
+  return on_words ? method + " is a method of `sailmap eval` alone" : "";
 }
 
 void merge(OptionKeys& into, OptionKeys other) { into.merge(std::move(other)); }
@@ -76,10 +83,8 @@ OptionKeys add_region_options(CLI::App& command, RegionConfig& config) {
   return keys;
 }
 
-OptionKeys add_match_options(CLI::App& command, MatchConfig& config) {
+OptionKeys add_constraint_options(CLI::App& command, MatchConfig& config) {
   OptionKeys keys;
-  keys["/match/method"] = add_choice(command, "--method", config.method, "Similarity",
-                                     {Method::paper, Method::paper_weighted, Method::context});
   keys["/match/search_radius"] =
       command
           .add_option("--search-radius", config.search_radius,
@@ -96,12 +101,41 @@ OptionKeys add_match_options(CLI::App& command, MatchConfig& config) {
   return keys;
 }
 
-CLI::Option* add_threshold_option(CLI::App& command, double& threshold) {
+OptionKeys add_match_options(CLI::App& command, MatchConfig& config) {
+  OptionKeys keys = add_constraint_options(command, config);
+  // A check that comes later is asked first.
+  keys["/match/method"] = add_choice(command, "--method", config.method, "Similarity",
+                                     {Method::paper, Method::paper_weighted, Method::context})
+                              ->transform(CLI::Validator(refuse_words, ""))
+                              ->group(match_group);
+  return keys;
+}
+
+std::vector<CLI::Option*> add_recogniser_options(CLI::App& command, Recogniser& recogniser) {
+  recogniser.method = name(MatchConfig{}.method);
+  CLI::Option* method = command
+                            .add_option("--method", recogniser.method,
+                                        "Similarity; fabmap and bow: by visual words, need --vocabulary")
+                            ->check(CLI::IsMember(recogniser_names()).description(""))
+                            ->capture_default_str()
+                            ->type_name(fmt::format("{}", fmt::join(recogniser_names(), "|")));
+  CLI::Option* vocabulary =
+      command
+          .add_option("--vocabulary", recogniser.vocabulary,
+                      "Of the methods fabmap and bow: what `sailmap fabmap train` wrote")
+          ->type_name("FILE");
+  method->group(match_group);
+  vocabulary->group(match_group);
+  return {method, vocabulary};
+}
+
+CLI::Option* add_threshold_option(CLI::App& command, double& threshold, const std::string& more) {
   std::string defaults;
   for (const std::string_view method : method_names()) {
     defaults += fmt::format("{}{:g} for {}", defaults.empty() ? "" : ", ",
                             default_threshold(method_from_name(method)), method);
   }
+  defaults += more;
   return command
       .add_option("--threshold", threshold,
                   "Similarity above which it is the same place (Th_LCD); default " + defaults)

@@ -5,7 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <string>
+#include <vector>
 
+#include "experiment.hpp"
 #include "sailmap/topological_map.hpp"
 
 namespace sailmap::app {
@@ -15,8 +17,14 @@ using OptionKeys = std::map<std::string, CLI::Option*>;
 
 void add_frontend_option(CLI::App& command, std::string& frontend);
 OptionKeys add_region_options(CLI::App& command, RegionConfig& config);
+// --method and the constraints.
 OptionKeys add_match_options(CLI::App& command, MatchConfig& config);
-CLI::Option* add_threshold_option(CLI::App& command, double& threshold);
+// The paper's two geometric constraints.
+OptionKeys add_constraint_options(CLI::App& command, MatchConfig& config);
+// --method, with fabmap among them, and --vocabulary.
+std::vector<CLI::Option*> add_recogniser_options(CLI::App& command, Recogniser& recogniser);
+// `more`: defaults to be named beside those of the methods on signatures.
+CLI::Option* add_threshold_option(CLI::App& command, double& threshold, const std::string& more = "");
 // Thresholds that the command line did not set become those of the method, and its descriptors are asked for.
 // To be called when all is parsed.
 void settle_thresholds(const CLI::App& command, MapConfig& config);

@@ -8,6 +8,9 @@ namespace sailmap::bench {
 // match/..., insert/..., query/..., query_exhaustive/...
 void register_query();
 
+// map/...
+void register_map();
+
 // context/...
 void register_context();
 

@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   sailmap::bench::register_query();
   sailmap::bench::register_context();
+  sailmap::bench::register_map();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

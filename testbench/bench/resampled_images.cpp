@@ -26,7 +26,7 @@ std::int16_t on_grid(double position, int side) {
 bool ResampledImages::available() { return std::filesystem::exists(folder()); }
 
 ResampledImages::ResampledImages() {
-  const auto frontend = make_frontend("quantised");
+  const auto frontend = make_frontend("fixed");
   const auto paths = list_images(folder().string());
   sailmap::Maps maps;
   for (std::size_t i = 0; i < paths.size(); i += 5) {

@@ -100,18 +100,46 @@ void all_normalisations(Stages& s) {
   fixed::saliency(maps.first(3), s.sums.width(), s.sums.height(), Stages::samples(s.maps.saliency));
 }
 
+// Numbers that a stage reads and writes at least: each input and each output once.
+struct Traffic {
+  double image;   // bytes a pixel of the image
+  double levels;  // bytes a pixel of all levels from the base on
+  double base;    // bytes a pixel of the base level
+};
+double bytes(const Traffic& traffic, Size size) {
+  const auto pixels = [&](int level) {
+    return static_cast<double>(((size.width - 1) >> level) + 1) * (((size.height - 1) >> level) + 1);
+  };
+  double levels = 0;
+  for (int level = base_level; level <= top_level; ++level) levels += pixels(level);
+  return traffic.image * pixels(0) + traffic.levels * levels + traffic.base * pixels(base_level);
+}
+
+struct Stage {
+  const char* name;
+  void (*run)(Stages&);
+  Traffic traffic;
+};
+
 const bool registered = [] {
-  const std::pair<const char*, void (*)(Stages&)> stages[] = {
-      {"channels", all_channels},         {"channels_and_pyramid", channels_and_pyramid},
-      {"centre_surround", all_contrasts}, {"orientation", all_orientations},
-      {"across_scales", all_scales},      {"local_maxima", all_local_maxima},
-      {"normalise", all_normalisations}};
+  constexpr double channel = 2;  // bytes of a sample: of a channel,
+  constexpr double sum = 4;      // of a contrast or an exact sum,
+  constexpr double map = 2;      // of a map
+  const Stage stages[] = {
+      {"channels", all_channels, {3 + 5 * channel, 0, 0}},
+      {"channels_and_pyramid", channels_and_pyramid, {3 + 5 * channel * (1 + 1.0 / 4), 5 * channel, 0}},
+      {"centre_surround", all_contrasts, {0, 5 * channel + 6 * sum, 0}},
+      {"orientation", all_orientations, {0, channel + 4 * sum, 0}},
+      {"across_scales", all_scales, {0, 10 * sum, 10 * (sum + map)}},
+      {"local_maxima", all_local_maxima, {0, 0, 13 * sum}},
+      {"normalise", all_normalisations, {0, 0, 13 * map + 3 * sum + 4 * map}}};
   for (const Size size : {vga, full_hd}) {
-    for (const auto& [name, stage] : stages) {
-      const std::string full = "stage/" + std::string(name) + "/" + size_name(size.width, size.height);
-      benchmark::RegisterBenchmark(full.c_str(), [=, run = stage](benchmark::State& state) {
+    for (const Stage& stage : stages) {
+      const std::string full = "stage/" + std::string(stage.name) + "/" + size_name(size.width, size.height);
+      benchmark::RegisterBenchmark(full.c_str(), [=](benchmark::State& state) {
         Stages s(size);
-        for (auto _ : state) run(s);
+        for (auto _ : state) stage.run(s);
+        state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(bytes(stage.traffic, size)));
       })->Unit(benchmark::kMicrosecond);
     }
   }

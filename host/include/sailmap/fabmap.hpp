@@ -5,8 +5,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <opencv2/core/mat.hpp>
 #include <vector>
+
+#include "sailmap/ref/plane.hpp"
 
 namespace sailmap::fabmap {
 
@@ -61,13 +64,6 @@ class Places {
   std::vector<double> base_;                     // of each place: log p(no word seen | place)
 };
 
-// Visual words of SIFT descriptors and everything learned with them.
-struct Vocabulary {
-  cv::Mat centres;              // words x 128, float32
-  ChowLiuTree tree;             // one node a word
-  std::vector<Words> training;  // of each training image: a sample of what places look like
-};
-
 struct TrainingConfig {
   int words = 1000;     // 2 ..
   int features = 500;   // SIFT keypoints an image, at most; 1 ..
@@ -76,12 +72,28 @@ struct TrainingConfig {
   unsigned seed = 1;    // the same seed gives the same vocabulary
 };
 
-// k-means over the SIFT descriptors of the images (8-bit BGR), then the Chow-Liu tree. Throws Error when the
-// images have fewer descriptors than there shall be words.
-Vocabulary train(const std::vector<cv::Mat>& images, const TrainingConfig& config);
+// Visual words of SIFT descriptors and everything learned with them.
+struct Vocabulary {
+  cv::Mat centres;                           // words x 128, float32
+  ChowLiuTree tree;                          // one node a word
+  std::vector<Words> training;               // of each training image: a sample of what places look like
+  int features = TrainingConfig{}.features;  // SIFT keypoints an image, at most: as in training
+};
 
-// The words of an image: each SIFT descriptor's nearest centre.
-Words words_of(const cv::Mat& image, const Vocabulary& vocabulary, int features = TrainingConfig{}.features);
+// k-means over the SIFT descriptors of images 0 .. count-1 (8-bit BGR), then the Chow-Liu tree. `image` is
+// called once for each, on several threads at once; the result does not depend on their number. Throws Error
+// when the images have fewer descriptors than there shall be words, and what `image` throws.
+Vocabulary train(std::size_t count, const std::function<cv::Mat(std::size_t)>& image,
+                 const TrainingConfig& config);
+
+// How often an image shows each word.
+struct Histogram {
+  Words words;
+  std::vector<double> parts;  // of each of `words`: the part of the image's features that show it
+};
+
+// The words of an image: each SIFT descriptor's nearest centre. Empty when the image has no feature.
+Histogram histogram_of(const cv::Mat& image, const Vocabulary& vocabulary);
 
 // A JSON file, written whole or not at all; reading throws Error naming the file and what is wrong with it.
 void write_vocabulary(const std::filesystem::path& path, const Vocabulary& vocabulary);
@@ -104,5 +116,21 @@ class Fabmap {
   Places places_;
   Places samples_;
 };
+
+// Log-odds of each image against all earlier ones but the `exclude_recent` newest: row = query, column =
+// candidate, NaN where not admissible. Runs on all cores; the result does not depend on their number.
+Plane<float> score_sequence(const std::vector<Words>& images, int exclude_recent,
+                            const Vocabulary& vocabulary, const FabmapConfig& config = {});
+
+// Two traverses: each query against all references.
+Plane<float> score_traverses(const std::vector<Words>& queries, const std::vector<Words>& references,
+                             const Vocabulary& vocabulary, const FabmapConfig& config = {});
+
+// The temporal filter (sailmap/temporal_filter.hpp) over what the log-odds stand for, tempered
+// (docs/recognition.md); log-odds again.
+Plane<float> filter_log_odds(const Plane<float>& log_odds, int images);
+
+// Log-odds above which an image is taken for a known place: p = 0.99.
+inline constexpr double default_threshold = 4.6;
 
 }  // namespace sailmap::fabmap

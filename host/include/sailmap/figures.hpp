@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <vector>
 
 #include "sailmap/detection.hpp"
 #include "sailmap/evaluation.hpp"
@@ -33,6 +34,19 @@ void write_image(const std::filesystem::path& path, const cv::Mat& image);
 // truth outlined or marked. Throws Error when it cannot be written or gnuplot is missing.
 void write_evaluation_plot(const std::filesystem::path& path, const Evaluation& evaluation,
                            const Plane<float>& scores, const GroundTruth& truth, const std::string& title);
+
+// Bars in groups.
+struct BarPanel {
+  std::string title;                        // what the bars stand for
+  std::vector<std::vector<double>> values;  // by group and series, 0 .. 1, shown as per cent; NaN: no bar
+};
+
+// SVG, as the paper's Fig. 8: panels one above the other, groups side by side, of each group one bar a series
+// with its number above it. Colours that the colour-blind can tell apart, hatched after the eighth. Throws
+// Error when there is no bar, the values do not fit the names, it cannot be written, or gnuplot is missing.
+void write_bar_chart(const std::filesystem::path& path, const std::string& title,
+                     const std::vector<std::string>& groups, const std::vector<std::string>& series,
+                     const std::vector<BarPanel>& panels);
 
 // SVG: the map as a graph laid out by graphviz, path edges grey, loop edges by similarity (orange at the
 // threshold to dark red at four times it), the active node yellow; nodes with their number (of large maps

@@ -34,7 +34,7 @@ struct ContextRegion {
 };
 
 struct PlaceDescriptor {
-  static constexpr int max_regions = 60;
+  static constexpr int max_regions = 85;
   Layout layout;
   std::vector<ContextRegion> regions;  // by falling saliency, at most max_regions; none in a flat image
   bool operator==(const PlaceDescriptor&) const = default;

@@ -2,6 +2,8 @@
 // for either direction of travel and for changing speed (docs/recognition.md).
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -30,19 +32,28 @@ class TemporalFilter {
   // filtered scores in the method's scale.
   std::vector<float> apply(std::span<const float> scores);
 
-  // How far sequences have foretold the best candidates so far, 0 .. 1: the weight of the filter's own
-  // evidence.
+  // How far sequences, at the speed that suits best, have foretold the best candidates so far, 0 .. 1: the
+  // weight of the filter's own evidence.
   [[nodiscard]] double trust() const;
 
  private:
-  void update_trust(const std::vector<float>& single, const std::vector<float>& foretold);
+  // What the filter knows under one assumption about the speed of travel.
+  struct Track {
+    std::vector<float> forward;  // evidence along the best path that ends at each candidate
+    std::vector<float> backward;
+    double right = 0;  // decayed evidence for best candidates that were foretold ...
+    double all = 0;    // ... and for all best candidates
+    [[nodiscard]] double trust() const { return right / all; }
+  };
+  static constexpr std::size_t speeds = 3;
+
+  [[nodiscard]] const Track& most_trusted() const;
+  // Carries a track on to an image of these scores; returns the evidence for each candidate.
+  std::vector<float> advance(std::size_t speed, const std::vector<float>& single);
 
   TemporalConfig config_;
-  float keep_ = 0;              // part of the evidence kept from image to image
-  std::vector<float> forward_;  // evidence along the best path that ends at each candidate
-  std::vector<float> backward_;
-  double right_ = 0;  // decayed evidence for best candidates that were foretold ...
-  double all_ = 0;    // ... and for all best candidates
+  float keep_ = 0;  // part of the evidence kept from image to image
+  std::array<Track, speeds> tracks_;
 };
 
 // What fits a method: the scale is its default threshold, or none for `context`, whose scores are calibrated.

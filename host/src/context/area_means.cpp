@@ -6,10 +6,17 @@
 
 namespace sailmap::context {
 
-AreaMeans::AreaMeans(const Map& map)
-    : width_(map.width()),
-      height_(map.height()),
-      table_(static_cast<std::size_t>(width_ + 1) * static_cast<std::size_t>(height_ + 1), 0.0) {
+Position::Position(double coordinate, int length)
+    : sample(static_cast<std::size_t>(std::min(static_cast<int>(coordinate), length - 1))),
+      part(coordinate - static_cast<double>(sample)) {}
+
+void AreaMeans::set(const Map& map) {
+  if (width_ != map.width() || height_ != map.height()) {
+    width_ = map.width();
+    height_ = map.height();
+    // The first row and column stay 0.
+    table_.assign(static_cast<std::size_t>(width_ + 1) * static_cast<std::size_t>(height_ + 1), 0.0);
+  }
   std::visit(
       [this](const auto& plane) {
         const auto in = plane.samples();
@@ -25,20 +32,13 @@ AreaMeans::AreaMeans(const Map& map)
       map.samples);
 }
 
-double AreaMeans::sum(double x, double y) const {
-  const int column = std::min(static_cast<int>(x), width_ - 1);
-  const int row = std::min(static_cast<int>(y), height_ - 1);
-  const double right = x - column;
-  const double down = y - row;
-  const auto stride = static_cast<std::size_t>(width_) + 1;
-  const double* corner = &table_[static_cast<std::size_t>(row) * stride + static_cast<std::size_t>(column)];
-  const double above = corner[0] + right * (corner[1] - corner[0]);
-  const double below = corner[stride] + right * (corner[stride + 1] - corner[stride]);
-  return above + down * (below - above);
-}
+double AreaMeans::sum(double x, double y) const { return sum(Position(x, width_), Position(y, height_)); }
 
-CellEdges::CellEdges(double first, double cell, int count, double length) {
-  for (int i = 0; i <= count; ++i) at.push_back(std::clamp(first + i * cell, 0.0, length));
+CellEdges::CellEdges(double first, double cell, int count, int length) {
+  for (int i = 0; i <= count; ++i) {
+    at.push_back(std::clamp(first + i * cell, 0.0, static_cast<double>(length)));
+    positions.emplace_back(at.back(), length);
+  }
   // A sliver at the border says little of what its cell would hold.
   const auto inside = [&](int i) {
     return at[static_cast<std::size_t>(i) + 1] - at[static_cast<std::size_t>(i)] >= cell / 4;
@@ -59,7 +59,8 @@ void root_means(const AreaMeans& map, const CellEdges& columns, const CellEdges&
   const std::size_t down = rows.at.size();
   std::vector<double> sums(across * down);
   for (std::size_t y = 0; y < down; ++y) {
-    for (std::size_t x = 0; x < across; ++x) sums[y * across + x] = map.sum(columns.at[x], rows.at[y]);
+    for (std::size_t x = 0; x < across; ++x)
+      sums[y * across + x] = map.sum(columns.positions[x], rows.positions[y]);
   }
   out.clear();
   for (const int row : rows.source) {

@@ -33,10 +33,10 @@ float mean_around(const std::vector<float>& cells, int column, int row) {
 }
 
 Layout layout_of(const std::vector<AreaMeans>& maps) {
-  const double width = maps.front().width();
-  const double height = maps.front().height();
-  const CellEdges columns(0, width / Layout::columns, Layout::columns, width);
-  const CellEdges rows(0, height / Layout::rows, Layout::rows, height);
+  const int width = maps.front().width();
+  const int height = maps.front().height();
+  const CellEdges columns(0, static_cast<double>(width) / Layout::columns, Layout::columns, width);
+  const CellEdges rows(0, static_cast<double>(height) / Layout::rows, Layout::rows, height);
   Layout out;
   std::vector<float> cells;
   for (std::size_t map = 0; map < maps.size(); ++map) {
@@ -86,8 +86,9 @@ ContextRegion region_at(const Peak& peak, const std::vector<AreaMeans>& maps) {
 }  // namespace
 
 PlaceDescriptor describe_place(const Maps& maps) {
-  std::vector<AreaMeans> means;
-  for (const Map& map : maps.features) means.emplace_back(map);
+  // Kept from image to image: to get one and a half megabytes anew costs a fifth of the time.
+  thread_local std::vector<AreaMeans> means(feature_count);
+  for (std::size_t i = 0; i < feature_count; ++i) means[i].set(maps.features[i]);
   PlaceDescriptor out;
   out.layout = layout_of(means);
   for (const Peak& peak : context::salient_peaks(maps.saliency, PlaceDescriptor::max_regions)) {

@@ -15,17 +15,20 @@
 namespace sailmap {
 namespace {
 
-// From one image to the next a path moves on by 0 .. 4 candidates; one is the most likely.
-constexpr std::array<float, 5> step_weights = {0.85F, 1.0F, 0.9F, 0.8F, 0.7F};
+// From one image to the next a path moves on by 0 .. 4 candidates. How likely each is at about the speed of
+// the candidates, at a slower one, and at a faster one.
+using StepWeights = std::array<float, 5>;
+constexpr std::array<StepWeights, 3> weights_of_speed = {
+    {{0.8F, 1.0F, 0.85F, 0.7F, 0.6F}, {1.0F, 1.0F, 0.8F, 0.6F, 0.5F}, {0.5F, 0.7F, 1.0F, 1.0F, 0.9F}}};
 
 // Trust begins in the middle, is lost with best candidates that no sequence foretold, and fades over 20
 // images.
 constexpr double prior_trust = 0.4;
 constexpr double memory = 0.95;
 constexpr double no_trust = 0.5;  // at this part of best candidates foretold, or below, the filter is off ...
-constexpr double full_trust = 0.85;  // ... and from here on it has its full weight
+constexpr double full_trust = 0.9;  // ... and from here on it has its full weight
 constexpr double full_weight = 0.7;
-constexpr std::ptrdiff_t foretold_within = 3;  // candidates
+constexpr std::ptrdiff_t foretold_within = 2;  // candidates
 
 bool admissible(float score) { return !std::isnan(score); }
 
@@ -36,12 +39,13 @@ float at(const std::vector<float>& values, std::ptrdiff_t index) {
 }
 
 // The best evidence that a path in `direction` (1 or -1) brings to each of `count` candidates.
-std::vector<float> carried(const std::vector<float>& evidence, std::size_t count, int direction) {
+std::vector<float> carried(const std::vector<float>& evidence, std::size_t count, const StepWeights& weights,
+                           int direction) {
   std::vector<float> out(count, 0.0F);
   for (std::size_t c = 0; c < count; ++c) {
-    for (std::size_t step = 0; step < step_weights.size(); ++step) {
+    for (std::size_t step = 0; step < weights.size(); ++step) {
       const auto from = static_cast<std::ptrdiff_t>(c) - direction * static_cast<std::ptrdiff_t>(step);
-      out[c] = std::max(out[c], step_weights[step] * at(evidence, from));
+      out[c] = std::max(out[c], weights[step] * at(evidence, from));
     }
   }
   return out;
@@ -49,6 +53,23 @@ std::vector<float> carried(const std::vector<float>& evidence, std::size_t count
 
 std::ptrdiff_t first_highest(const std::vector<float>& values) {
   return std::max_element(values.begin(), values.end()) - values.begin();
+}
+
+std::vector<float> stronger(const std::vector<float>& a, const std::vector<float>& b) {
+  std::vector<float> out(a.size());
+  std::transform(a.begin(), a.end(), b.begin(), out.begin(), [](float x, float y) { return std::max(x, y); });
+  return out;
+}
+
+// How far the best score stands out from the middle one; below 0 where no score is above 0: such an image
+// tells nothing about sequences.
+double prominence(const std::vector<float>& single) {
+  std::vector<float> positive;
+  std::copy_if(single.begin(), single.end(), std::back_inserter(positive), [](float s) { return s > 0; });
+  if (positive.empty()) return -1;
+  const auto middle = positive.begin() + static_cast<std::ptrdiff_t>(positive.size() / 2);
+  std::nth_element(positive.begin(), middle, positive.end());
+  return static_cast<double>(*std::max_element(single.begin(), single.end()) - *middle);
 }
 
 }  // namespace
@@ -59,33 +80,48 @@ TemporalFilter::TemporalFilter(const TemporalConfig& config) : config_(config) {
   }
   if (!(config.scale > 0)) throw Error("temporal filter: the scale must be above 0");
   if (config.images > 1) keep_ = 1.0F - 1.0F / static_cast<float>(config.images);
-  right_ = prior_trust;
-  all_ = 1;
+  for (Track& track : tracks_) {
+    track.right = prior_trust;
+    track.all = 1;
+  }
+}
+
+const TemporalFilter::Track& TemporalFilter::most_trusted() const {
+  return *std::max_element(tracks_.begin(), tracks_.end(),
+                           [](const Track& a, const Track& b) { return a.trust() < b.trust(); });
 }
 
 double TemporalFilter::trust() const {
-  return std::clamp((right_ / all_ - no_trust) / (full_trust - no_trust), 0.0, 1.0);
+  return std::clamp((most_trusted().trust() - no_trust) / (full_trust - no_trust), 0.0, 1.0);
 }
 
-void TemporalFilter::update_trust(const std::vector<float>& single, const std::vector<float>& foretold) {
-  const std::ptrdiff_t best = first_highest(single);
-  std::vector<float> positive;
-  std::copy_if(single.begin(), single.end(), std::back_inserter(positive), [](float s) { return s > 0; });
-  if (positive.empty()) return;
-  const auto middle = positive.begin() + static_cast<std::ptrdiff_t>(positive.size() / 2);
-  std::nth_element(positive.begin(), middle, positive.end());
-  // An image that stands out nowhere tells nothing about sequences.
-  const double weight = single[static_cast<std::size_t>(best)] - *middle;
-  const bool right = std::abs(best - first_highest(foretold)) <= foretold_within;
-  right_ = memory * right_ + (1 - memory) * prior_trust + (right ? weight : 0);
-  all_ = memory * all_ + (1 - memory) + weight;
+std::vector<float> TemporalFilter::advance(std::size_t speed, const std::vector<float>& single) {
+  Track& track = tracks_[speed];
+  const bool first = track.forward.empty();
+  track.forward = carried(track.forward, single.size(), weights_of_speed[speed], 1);
+  track.backward = carried(track.backward, single.size(), weights_of_speed[speed], -1);
+  if (!first) {
+    const bool right = std::abs(first_highest(single) -
+                                first_highest(stronger(track.forward, track.backward))) <= foretold_within;
+    const double weight = prominence(single);
+    if (weight >= 0) {
+      track.right = memory * track.right + (1 - memory) * prior_trust + (right ? weight : 0);
+      track.all = memory * track.all + (1 - memory) + weight;
+    }
+  }
+  // A mean over the path, the newest image weighing most: at most the best single score.
+  for (std::size_t c = 0; c < single.size(); ++c) {
+    track.forward[c] = (1 - keep_) * single[c] + keep_ * track.forward[c];
+    track.backward[c] = (1 - keep_) * single[c] + keep_ * track.backward[c];
+  }
+  return stronger(track.forward, track.backward);
 }
 
 std::vector<float> TemporalFilter::apply(std::span<const float> scores) {
   std::vector<float> out(scores.begin(), scores.end());
   if (keep_ == 0 || std::none_of(out.begin(), out.end(), admissible)) {
-    forward_.clear();
-    backward_.clear();
+    for (Track& track : tracks_) track.forward.clear();
+    for (Track& track : tracks_) track.backward.clear();
     return out;
   }
   const bool compressed = std::isfinite(config_.scale);
@@ -94,24 +130,18 @@ std::vector<float> TemporalFilter::apply(std::span<const float> scores) {
   for (std::size_t c = 0; c < out.size(); ++c) {
     if (admissible(out[c])) single[c] = compressed ? out[c] / (out[c] + scale) : out[c];
   }
-  const bool first = forward_.empty();
-  std::vector<float> forward = carried(forward_, out.size(), 1);
-  std::vector<float> backward = carried(backward_, out.size(), -1);
-  std::vector<float> foretold(out.size());
-  for (std::size_t c = 0; c < out.size(); ++c) foretold[c] = std::max(forward[c], backward[c]);
-  if (!first) update_trust(single, foretold);
+  std::array<std::vector<float>, speeds> evidence;
+  for (std::size_t speed = 0; speed < speeds; ++speed) evidence[speed] = advance(speed, single);
+  const auto best = static_cast<std::size_t>(&most_trusted() - tracks_.data());
   const auto weight = static_cast<float>(full_weight * trust());
   for (std::size_t c = 0; c < out.size(); ++c) {
-    const bool counts = admissible(out[c]);
-    // Evidence is a mean over the path, the newest image weighing most: at most the best single score.
-    forward[c] = counts ? (1 - keep_) * single[c] + keep_ * forward[c] : 0;
-    backward[c] = counts ? (1 - keep_) * single[c] + keep_ * backward[c] : 0;
-    if (!counts) continue;
-    const float mixed = (1 - weight) * single[c] + weight * std::max(forward[c], backward[c]);
+    if (!admissible(out[c])) {
+      for (Track& track : tracks_) track.forward[c] = track.backward[c] = 0;
+      continue;
+    }
+    const float mixed = (1 - weight) * single[c] + weight * evidence[best][c];
     out[c] = !compressed ? mixed : mixed < 1 ? scale * mixed / (1 - mixed) : out[c];
   }
-  forward_ = std::move(forward);
-  backward_ = std::move(backward);
   return out;
 }
 

@@ -58,10 +58,12 @@ Vocabulary vocabulary_from(const ordered_json& json) {
                 std::to_string(format_version));
   }
   Vocabulary out{centres_from(json.at("centres")), tree_from(json.at("tree")),
-                 json.at("training").get<std::vector<Words>>()};
+                 json.at("training").get<std::vector<Words>>(), json.at("features").get<int>()};
   if (out.centres.rows < 2 || out.tree.size() != static_cast<std::size_t>(out.centres.rows)) {
     throw Error(std::to_string(out.centres.rows) + " words but a tree of " + std::to_string(out.tree.size()));
   }
+  if (out.training.empty()) throw Error("no training image");
+  if (out.features < 1) throw Error(std::to_string(out.features) + " features an image");
   for (const Words& words : out.training) check_words(words, out.tree.size());
   const Places checks_the_tree(out.tree, {});
   return out;
@@ -72,6 +74,7 @@ Vocabulary vocabulary_from(const ordered_json& json) {
 void write_vocabulary(const std::filesystem::path& path, const Vocabulary& vocabulary) {
   const ordered_json json = {{"format", format_name},
                              {"version", format_version},
+                             {"features", vocabulary.features},
                              {"centres", to_json(vocabulary.centres)},
                              {"tree", to_json(vocabulary.tree)},
                              {"training", vocabulary.training}};

@@ -66,8 +66,8 @@ TEST(PlaceDescriptor, TheUnitOfAMapDoesNotCount) {
 
 TEST(PlaceDescriptor, IsSmall) {
   const PlaceDescriptor place = describe_place(scene_maps(7));
-  EXPECT_LE(place.regions.size(), 60U);
-  EXPECT_LE(sizeof(PlaceDescriptor) + 60 * sizeof(ContextRegion), 8192U);
+  EXPECT_LE(place.regions.size(), 85U);
+  EXPECT_LE(sizeof(PlaceDescriptor) + 85 * sizeof(ContextRegion), 8192U);
 }
 
 TEST(PlaceDescriptor, IsTheSameAfterTextAndBack) {
@@ -81,7 +81,7 @@ TEST(PlaceDescriptor, DamagedTextIsRefused) {
   EXPECT_THROW(place_from_text(""), Error);
   text[20] = 'x';
   EXPECT_THROW(place_from_text(text), Error);
-  EXPECT_THROW(place_from_text(std::string(16 * (32 + 61 * 11), '0')), Error);  // a region too many
+  EXPECT_THROW(place_from_text(std::string(16 * (32 + 86 * 11), '0')), Error);  // a region too many
 }
 
 }  // namespace

@@ -243,6 +243,52 @@ TEST(LogOdds, OfNoPlacesAreNone) {
   EXPECT_EQ(fabmap.log_odds({2}, 5).size(), 1U);
 }
 
+// Row by row what log_odds says; places that came later do not count.
+TEST(Scores, AreTheLogOddsOfThePlacesBefore) {
+  std::mt19937 random(seed());
+  const int words = 30;
+  const Vocabulary vocabulary = of_words(random_images(40, words, random), words);
+  const std::vector<Words> images = random_images(9, words, random);
+  const Plane<float> scores = score_sequence(images, 2, vocabulary);
+  Fabmap fabmap(vocabulary, {});
+  for (int q = 0; q < 9; ++q) {
+    const auto query = static_cast<std::size_t>(q);
+    const std::vector<double> expected = fabmap.log_odds(images[query], fabmap.size());
+    for (int c = 0; c < 9; ++c) {
+      if (c < q - 2) {
+        EXPECT_FLOAT_EQ(scores(c, q), static_cast<float>(expected[static_cast<std::size_t>(c)]));
+      } else {
+        EXPECT_TRUE(std::isnan(scores(c, q)));
+      }
+    }
+    if (q >= 2) fabmap.add(images[query - 2]);
+  }
+  EXPECT_THROW(score_sequence(images, -1, vocabulary), Error);
+  const Plane<float> traverses = score_traverses(images, {images[4], images[1]}, vocabulary);
+  ASSERT_EQ(traverses.width(), 2);
+  ASSERT_EQ(traverses.height(), 9);
+  EXPECT_GT(traverses(0, 4), traverses(1, 4));
+  EXPECT_LT(traverses(0, 1), traverses(1, 1));
+}
+
+// A second lap whose images are known one by one but for the last, which two places explain alike: the
+// sequence tells them apart. Without a filter nothing changes.
+TEST(Scores, AreFilteredAsProbabilities) {
+  constexpr int lap = 12;
+  Plane<float> scores(lap, lap, -6);
+  for (int q = 0; q < lap; ++q) scores(q, q) = 200;
+  scores(lap - 1, lap - 1) = 1;
+  scores(2, lap - 1) = 1.5F;
+  const Plane<float> same = filter_log_odds(scores, 0);
+  EXPECT_TRUE(std::ranges::equal(same.samples(), scores.samples()));
+  const Plane<float> filtered = filter_log_odds(scores, 10);
+  EXPECT_GT(filtered(lap - 1, lap - 1), filtered(2, lap - 1));
+  for (const float value : filtered.samples()) EXPECT_TRUE(std::isfinite(value));
+  for (int q = 0; q + 1 < lap; ++q) {
+    for (int c = 0; c < lap; ++c) EXPECT_GE(filtered(q, q), filtered(c, q));
+  }
+}
+
 cv::Mat scene(unsigned place) {
   cv::Mat image(120, 160, CV_8UC3, cv::Scalar(90, 90, 90));
   std::mt19937 random(place);
@@ -262,24 +308,28 @@ TEST(Training, MakesAVocabularyThatRecognises) {
   for (unsigned place = 0; place < 12; ++place) images.push_back(scene(place));
   TrainingConfig config;
   config.words = 40;
-  const Vocabulary vocabulary = train(images, config);
+  const auto image = [&images](std::size_t i) { return images[i]; };
+  const Vocabulary vocabulary = train(images.size(), image, config);
   EXPECT_EQ(vocabulary.centres.rows, 40);
   EXPECT_EQ(vocabulary.training.size(), images.size());
-  EXPECT_EQ(words_of(images[3], vocabulary), vocabulary.training[3]);
+  EXPECT_EQ(histogram_of(images[3], vocabulary).words, vocabulary.training[3]);
   Fabmap fabmap(vocabulary, {});
-  for (unsigned place = 100; place < 106; ++place) fabmap.add(words_of(scene(place), vocabulary));
-  const std::vector<double> odds = fabmap.log_odds(words_of(scene(102), vocabulary), 6);
+  for (unsigned place = 100; place < 106; ++place) fabmap.add(histogram_of(scene(place), vocabulary).words);
+  const std::vector<double> odds = fabmap.log_odds(histogram_of(scene(102), vocabulary).words, 6);
   EXPECT_EQ(std::ranges::max_element(odds) - odds.begin(), 2);
   config.words = 100000;
-  EXPECT_THAT([&] { train(images, config); }, ThrowsMessage<Error>(HasSubstr("too few for 100000 words")));
+  EXPECT_THAT([&] { train(images.size(), image, config); },
+              ThrowsMessage<Error>(HasSubstr("too few for 100000 words")));
 }
 
 TEST(VocabularyFile, IsReadAsWritten) {
   const testing::TemporaryFolder folder;
-  const Vocabulary written = of_words(pairs, 3);
+  Vocabulary written = of_words(pairs, 3);
+  written.features = 321;
   write_vocabulary(folder.path() / "v.json", written);
   const Vocabulary read = read_vocabulary(folder.path() / "v.json");
   EXPECT_EQ(read.training, written.training);
+  EXPECT_EQ(read.features, 321);
   EXPECT_EQ(cv::countNonZero(read.centres != written.centres), 0);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(read.tree[i].parent, written.tree[i].parent);
@@ -299,7 +349,8 @@ TEST(VocabularyFile, DamageIsNamed) {
   expect_fault(R"({"format": "else"})", "not a sailmap vocabulary");
   expect_fault(R"({"format": "sailmap fabmap vocabulary", "version": 9})", "version 9");
   expect_fault(
-      R"({"format": "sailmap fabmap vocabulary", "version": 1, "centres": [], "tree": [], "training": []})",
+      R"({"format": "sailmap fabmap vocabulary", "version": 1, "features": 500, "centres": [], "tree": [],
+          "training": []})",
       "0 words");
   EXPECT_THAT([&] { read_vocabulary(folder.path() / "none.json"); },
               ThrowsMessage<Error>(HasSubstr("none.json")));
