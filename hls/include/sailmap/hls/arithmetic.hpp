@@ -163,15 +163,20 @@ constexpr int leading_bit(std::uint32_t value) {
   return place;
 }
 
-// `maximum`: raw, 1 to 65535; `maxima`: 1 to 2^18 (local maxima are never adjacent).
-constexpr Gain gain(std::uint32_t maximum, std::uint32_t maxima) {
-  if (maximum == 0) return Gain{0, 0};
-  const int maximum_place = leading_bit(maximum);
+// `maximum`: raw, 1 to 65535; `maxima`: 1 to 2^18 (local maxima are never adjacent). Both are 0 for a flat
+// zero map. In two functions that return numbers: a structure that Bambu does not inline is in a memory.
+constexpr std::uint32_t gain_mantissa(std::uint32_t maximum, std::uint32_t maxima) {
   const int root_place = leading_bit(maxima) / 2;  // of sqrt(maxima)
   // maxima * 2^(34 - 2 root_place) is in [2^34, 2^36), its root in [2^17, 2^18): formats::square_root.
   const std::uint64_t root = isqrt(static_cast<std::uint64_t>(maxima) << (34 - 2 * root_place));
-  const std::uint64_t scaled = static_cast<std::uint64_t>(maximum) << (15 - maximum_place);
-  return Gain{reciprocal(scaled * root), maximum_place + root_place};
+  const std::uint64_t scaled = static_cast<std::uint64_t>(maximum) << (15 - leading_bit(maximum));
+  return maximum == 0 ? 0 : reciprocal(scaled * root);
+}
+constexpr int gain_shift(std::uint32_t maximum, std::uint32_t maxima) {
+  return maximum == 0 ? 0 : leading_bit(maximum) + leading_bit(maxima) / 2;
+}
+constexpr Gain gain(std::uint32_t maximum, std::uint32_t maxima) {
+  return Gain{gain_mantissa(maximum, maxima), gain_shift(maximum, maxima)};
 }
 
 // X~ or C~ of one pixel, value <= maximum. Both normalised formats are the same, below 1.

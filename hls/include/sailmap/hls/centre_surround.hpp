@@ -162,8 +162,9 @@ struct BoxWindow {
   }
 };
 
-// contrast() of the centre; the coarser levels have the time to take one channel after the other through it.
-template <int Level, bool IsBase = Level == geometry::base_level>
+// contrast() of the centre; the coarsest level has the time to take one channel after the other through it.
+// Level 3 has less than its number of pixels says: its rows come in the time of one row of level 2.
+template <int Level, bool IsFine = Level != geometry::top_level>
 struct Contrasts {
   static uint32_t of(uint16_t centre, uint32_t small, uint32_t large, int sign) {
     return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), sign);

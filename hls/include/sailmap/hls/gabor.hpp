@@ -27,8 +27,8 @@ struct NineTaps {
 };
 
 // Filters that read the same forwards and backwards, or change sign: half the multiplications. The base level
-// has its filters side by side.
-template <int Level, int Half, bool IsBase = Level == geometry::base_level>
+// and level 3, whose rows come in the time of one of its rows, have their filters side by side.
+template <int Level, int Half, bool IsFine = Level != geometry::top_level>
 struct GaborFilter {
   static int32_t symmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
     return taps[0] * (p.a + p.i) + taps[1] * (p.b + p.h) + taps[2] * (p.c + p.g) + taps[3] * (p.d + p.f) +
@@ -46,8 +46,7 @@ inline int32_t few_bits(int32_t value) {
   return (value << (15 - Half)) >> (15 - Half);
 }
 
-// The coarser levels have a quarter of its pixels and less: two filters each, which work through half of
-// them.
+// The coarsest level has a sixteenth of its pixels: two filters, which work through half of them each.
 template <int Level, int Half>
 SAILMAP_SHARED int32_t gabor_filter(bool antisymmetric, int16_t t0, int16_t t1, int16_t t2, int16_t t3,
                                     int16_t t4, int32_t a, int32_t b, int32_t c, int32_t d, int32_t e,

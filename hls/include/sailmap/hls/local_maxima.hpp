@@ -28,24 +28,22 @@ SAILMAP_MEMORY uint64_t MaximaRows<Config, Pair>::newer[Config::level_width(geom
 template <class Config, int Pair>
 SAILMAP_MEMORY uint64_t MaximaRows<Config, Pair>::older[Config::level_width(geometry::base_level)];
 
-// Three rows of one column, a pair each, and which of them lie inside the image.
+// Three rows of one column, a pair each, every sum one more than it is: 0 is less than any and stands for
+// what lies outside the image.
 struct MaximaColumn {
   uint64_t above, here, below;
-  bool has_above, has_here, has_below;
 };
+inline uint64_t raised(uint64_t sums) { return sums + wide_pair(1, 1); }
+inline uint64_t lowered(uint64_t sums) { return sums - wide_pair(1, 1); }
 
 // Lane `Lane` of the pair at the centre of three columns.
 template <int Lane>
 inline bool is_local_maximum(const MaximaColumn& left, const MaximaColumn& mid, const MaximaColumn& right) {
   const uint32_t v = wide_lane<Lane>(mid.here);
-  return (!left.has_above || v > wide_lane<Lane>(left.above)) &&
-         (!mid.has_above || v > wide_lane<Lane>(mid.above)) &&
-         (!right.has_above || v > wide_lane<Lane>(right.above)) &&
-         (!left.has_here || v > wide_lane<Lane>(left.here)) &&
-         (!right.has_here || v >= wide_lane<Lane>(right.here)) &&
-         (!left.has_below || v >= wide_lane<Lane>(left.below)) &&
-         (!mid.has_below || v >= wide_lane<Lane>(mid.below)) &&
-         (!right.has_below || v >= wide_lane<Lane>(right.below));
+  return v > wide_lane<Lane>(left.above) && v > wide_lane<Lane>(mid.above) &&
+         v > wide_lane<Lane>(right.above) && v > wide_lane<Lane>(left.here) &&
+         v >= wide_lane<Lane>(right.here) && v >= wide_lane<Lane>(left.below) &&
+         v >= wide_lane<Lane>(mid.below) && v >= wide_lane<Lane>(right.below);
 }
 
 inline uint8_t maxima_flags(const MaximaColumn& left, const MaximaColumn& mid, const MaximaColumn& right) {
@@ -63,37 +61,57 @@ inline uint32_t stored_pair(uint64_t sums) {
                                        : pack(feature(a), feature(b));
 }
 
+// Column x with one row more, `below`.
+template <class Config, int Pair>
+inline MaximaColumn next_row(int x, uint64_t below) {
+  using Rows = MaximaRows<Config, Pair>;
+  const MaximaColumn column = {Rows::older[x], Rows::newer[x], below};
+  Rows::older[x] = column.here;
+  Rows::newer[x] = below;
+  return column;
+}
+
+// A loop for the first row, which gives nothing out, one for all others and one behind the last: without
+// cases Bambu needs half the time.
 template <class Config, int Pair>
 void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& flags, uint16_t width,
                   uint16_t height) {
   using Rows = MaximaRows<Config, Pair>;
   const int w = geometry::base_side(width);
   const int h = geometry::base_side(height);
+  const MaximaColumn outside = {0, 0, 0};
 #pragma nounroll
-  for (int y = 0; y <= h; ++y) {
-    MaximaColumn left = {0, 0, 0, false, false, false};
-    MaximaColumn mid = left;
-    MaximaColumn right = left;
+  for (int x = 0; x < w; ++x) {
+    SAILMAP_PIPELINE
+    Rows::older[x] = 0;
+    Rows::newer[x] = raised(in.read());
+  }
 #pragma nounroll
-    for (int x = 0; x <= w; ++x) {
+  for (int y = 1; y < h; ++y) {
+    MaximaColumn left = outside;
+    MaximaColumn mid = next_row<Config, Pair>(0, raised(in.read()));
+#pragma nounroll
+    for (int x = 1; x < w; ++x) {
       SAILMAP_PIPELINE
+      const MaximaColumn right = next_row<Config, Pair>(x, raised(in.read()));
+      out.write(stored_pair<Pair>(lowered(mid.here)));
+      flags.write(maxima_flags(left, mid, right));
       left = mid;
       mid = right;
-      right.has_above = x < w && y > 1;
-      right.has_here = x < w;
-      right.has_below = x < w && y < h;
-      if (x < w) {
-        right.above = Rows::older[x];
-        right.here = Rows::newer[x];
-        if (y < h) right.below = in.read();
-        Rows::older[x] = right.here;
-        Rows::newer[x] = right.below;
-      }
-      if (y > 0 && x > 0) {
-        out.write(stored_pair<Pair>(mid.here));
-        flags.write(maxima_flags(left, mid, right));
-      }
     }
+    out.write(stored_pair<Pair>(lowered(mid.here)));
+    flags.write(maxima_flags(left, mid, outside));
+  }
+  MaximaColumn left = outside;
+  MaximaColumn mid = next_row<Config, Pair>(0, 0);
+#pragma nounroll
+  for (int x = 1; x <= w; ++x) {
+    SAILMAP_PIPELINE
+    const MaximaColumn right = x < w ? next_row<Config, Pair>(x, 0) : outside;
+    out.write(stored_pair<Pair>(lowered(mid.here)));
+    flags.write(maxima_flags(left, mid, right));
+    left = mid;
+    mid = right;
   }
 }
 

@@ -23,15 +23,17 @@ namespace hls {
 
 template <class Config, int Count, int Kind>
 void gains(stream<uint32_t>& statistics, stream<uint32_t>& statistics_out, stream<uint32_t>& gains_out) {
+  uint32_t before = 0;
+  // A word a turn: Bambu keeps the order of reads from turn to turn alone.
 #pragma nounroll
-  for (int i = Kind; i < Count + Kind; ++i) {
-    const uint32_t maximum = statistics.read();
-    const uint32_t maxima = statistics.read();
-    statistics_out.write(maximum);
-    statistics_out.write(maxima);
-    const Gain g = gain(maximum, maxima);
-    gains_out.write(g.mantissa);
-    gains_out.write(static_cast<uint32_t>(g.shift));
+  for (int i = 2 * Kind; i < 2 * (Count + Kind); ++i) {
+    const uint32_t word = statistics.read();
+    statistics_out.write(word);
+    if ((i & 1) != 0) {
+      gains_out.write(gain_mantissa(before, word));
+      gains_out.write(static_cast<uint32_t>(gain_shift(before, word)));
+    }
+    before = word;
   }
 }
 
@@ -47,25 +49,33 @@ struct NormalisedSum<conspicuity_kind> {
   static word of(uint32_t sum) { return saliency(sum); }
 };
 
+// The gains of lanes 0 to Count - 1.
 template <int Count>
 struct LaneGains {
-  Gain own;
+  uint32_t mantissa, shift;  // of lane Count - 1
   LaneGains<Count - 1> rest;
 
-  void read(stream<uint32_t>& in) {
-    own.mantissa = in.read();
-    own.shift = static_cast<int>(in.read());
-    rest.read(in);
+  void clear() {
+    mantissa = 0;
+    shift = 0;
+    rest.clear();
+  }
+  // A shift register, in which mantissa and shift of lane 0 are the first of 2 * Count words.
+  void push(uint32_t word) {
+    rest.push(mantissa);
+    mantissa = shift;
+    shift = word;
   }
   // Sum of the normalised lanes.
   template <class Word>
   uint32_t sum(Word word) const {
-    return normalise(lane<0>(word), own) + rest.sum(static_cast<Word>(word >> lane_bits));
+    return normalise(lane<Count - 1>(word), Gain{mantissa, static_cast<int>(shift)}) + rest.sum(word);
   }
 };
 template <>
 struct LaneGains<0> {
-  void read(stream<uint32_t>& /*in*/) {}
+  void clear() {}
+  void push(uint32_t /*word*/) {}
   template <class Word>
   uint32_t sum(Word /*word*/) const {
     return 0;
@@ -77,7 +87,9 @@ void normalise(stream<uint32_t>& gains_in, stream<lanes_t<Count> >& maps, stream
                stream<typename NormalisedSum<Kind>::word>& sum_out, uint16_t width, uint16_t height) {
   const int pixels = geometry::base_side(width) * geometry::base_side(height);
   LaneGains<Count> lanes = LaneGains<Count>();
-  lanes.read(gains_in);
+  lanes.clear();
+#pragma nounroll
+  for (int i = 2 * Kind; i < 2 * (Count + Kind); ++i) lanes.push(gains_in.read());
 #pragma nounroll
   for (int i = Kind; i < pixels + Kind; ++i) {
     SAILMAP_PIPELINE

@@ -16,17 +16,58 @@
 namespace sailmap {
 namespace hls {
 
+// The flags of several pixels share a word, so that they fill block memories. `put` gathers them, the newest
+// pixel in the low bits; the pass that counts goes backwards and finds them low, however many pixels the last
+// word has.
 template <class Config, int Count, int Kind, int Bank>
-struct StoreMemory {
+struct StoredFlags {
+  static constexpr int bits = Count == 2 ? 2 : 4;
+  static constexpr int in_word = 32 / bits;
+  static constexpr int size = (Config::level_pixels(geometry::base_level) + in_word - 1) / in_word;
+  static uint32_t words[size];
+
+  // Pixel i, after pixel i - 1; returns the flags so far, to be given back with the next pixel.
+  static uint32_t put(unsigned i, uint32_t so_far, uint8_t flags) {
+    const uint32_t gathered = so_far << bits | flags;
+    words[i / in_word] = gathered;
+    return gathered;
+  }
+  // Pixel i in the low bits, after pixel i + 1, with which `so_far` was returned; the last pixel starts.
+  static uint32_t get(unsigned i, bool is_last, uint32_t so_far) {
+    const uint32_t word = words[i / in_word];
+    return is_last || i % in_word == in_word - 1 ? word : so_far >> bits;
+  }
+};
+template <class Config, int Count, int Kind, int Bank>
+SAILMAP_MEMORY uint32_t StoredFlags<Config, Count, Kind, Bank>::words[size];
+
+// The maps: two or four lanes a word, three in a word of two and one of one.
+template <class Config, int Count, int Kind, int Bank>
+struct StoredMaps {
   static lanes_t<Count> words[Config::level_pixels(geometry::base_level)];
-  static uint8_t flags[Config::level_pixels(geometry::base_level)];
+
+  static void put(unsigned i, lanes_t<Count> word) { words[i] = word; }
+  static lanes_t<Count> get(unsigned i) { return words[i]; }
 };
 template <class Config, int Count, int Kind, int Bank>
 SAILMAP_MEMORY lanes_t<Count>
-    StoreMemory<Config, Count, Kind, Bank>::words[Config::level_pixels(geometry::base_level)];
-template <class Config, int Count, int Kind, int Bank>
-SAILMAP_MEMORY uint8_t
-    StoreMemory<Config, Count, Kind, Bank>::flags[Config::level_pixels(geometry::base_level)];
+    StoredMaps<Config, Count, Kind, Bank>::words[Config::level_pixels(geometry::base_level)];
+
+template <class Config, int Kind, int Bank>
+struct StoredMaps<Config, 3, Kind, Bank> {
+  static uint32_t low[Config::level_pixels(geometry::base_level)];
+  static uint16_t high[Config::level_pixels(geometry::base_level)];
+
+  static void put(unsigned i, lanes_t<3> word) {
+    low[i] = static_cast<uint32_t>(word);
+    high[i] = lane<2>(word);
+  }
+  static lanes_t<3> get(unsigned i) { return static_cast<lanes_t<3> >(high[i]) << 32 | low[i]; }
+};
+template <class Config, int Kind, int Bank>
+SAILMAP_MEMORY uint32_t StoredMaps<Config, 3, Kind, Bank>::low[Config::level_pixels(geometry::base_level)];
+template <class Config, int Kind, int Bank>
+SAILMAP_MEMORY uint16_t StoredMaps<Config, 3, Kind, Bank>::high[Config::level_pixels(geometry::base_level)];
 
 // Maximum and m of each lane.
 template <int Count>
@@ -71,28 +112,32 @@ struct LaneStatistics<0> {
 template <class Config, int Count, int Kind, int Bank>
 void store(stream<lanes_t<Count> >& in, stream<uint8_t>& in_flags, stream<uint32_t>& statistics,
            stream<lanes_t<Count> >& out, uint16_t width, uint16_t height) {
-  using Memory = StoreMemory<Config, Count, Kind, Bank>;
-  const int pixels = geometry::base_side(width) * geometry::base_side(height);
+  using Maps = StoredMaps<Config, Count, Kind, Bank>;
+  using Flags = StoredFlags<Config, Count, Kind, Bank>;
+  const auto pixels = static_cast<unsigned>(geometry::base_side(width) * geometry::base_side(height));
   LaneStatistics<Count> lanes = LaneStatistics<Count>();
   lanes.clear();
+  uint32_t flags = 0;
 #pragma nounroll
-  for (int i = 0; i < pixels; ++i) {
+  for (unsigned i = 0; i < pixels; ++i) {
     SAILMAP_PIPELINE
     const lanes_t<Count> word = in.read();
-    Memory::words[i] = word;
-    Memory::flags[i] = in_flags.read();
+    Maps::put(i, word);
+    flags = Flags::put(i, flags, in_flags.read());
     lanes.take(word);
   }
 #pragma nounroll
-  for (int i = 0; i < pixels; ++i) {
+  for (unsigned left = pixels; left > 0; --left) {
     SAILMAP_PIPELINE
-    lanes.count(Memory::words[i], Memory::flags[i]);
+    const unsigned i = left - 1;
+    flags = Flags::get(i, left == pixels, flags);
+    lanes.count(Maps::get(i), static_cast<uint8_t>(flags));
   }
   lanes.write(statistics);
 #pragma nounroll
-  for (int i = 0; i < pixels; ++i) {
+  for (unsigned i = 0; i < pixels; ++i) {
     SAILMAP_PIPELINE
-    out.write(Memory::words[i]);
+    out.write(Maps::get(i));
   }
 }
 

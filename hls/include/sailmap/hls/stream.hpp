@@ -2,7 +2,8 @@
 //
 // Under Vitis HLS and Bambu the FIFO is the tool's hls::stream and a stage is a plain call. In C simulation
 // (SAILMAP_CSIM, set by the build target sailmap_csim) the FIFO is ours, bounded and named, and a stage is a
-// task of the scheduler. Kernels use read() and write() and nothing else.
+// task of the scheduler. Kernels use read() and write() and nothing else, and read a stream once in a
+// straight piece of code: Bambu may swap two reads that no loop or condition keeps apart.
 #pragma once
 
 #ifdef SAILMAP_CSIM
