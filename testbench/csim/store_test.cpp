@@ -1,5 +1,4 @@
 // The frame store alone, with two, three and four maps: frame after frame through the same memory.
-#include "sailmap/hls/config.hpp"
 #include "sailmap/hls/store.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "sailmap/hls/config.hpp"
 #include "stage_run.hpp"
 
 namespace sailmap::testing {
