@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "consistency.hpp"
 #include "sailmap/context.hpp"
 #include "sailmap/error.hpp"
 
@@ -58,40 +59,7 @@ TopologicalMap::TopologicalMap(MapConfig config, std::vector<Node> nodes, std::v
       history_(std::move(history)),
       active_(active),
       filter_(temporal_config(config.match.method, config.temporal)) {
-  const auto demand = [](bool holds, const std::string& fault) {
-    if (!holds) throw Error("map contradicts itself: " + fault);
-  };
-  const int count = static_cast<int>(nodes_.size());
-  const auto is_node = [count](int id) { return id >= 0 && id < count; };
-  for (int i = 0; i < count; ++i) {
-    const Node& node = nodes_[static_cast<std::size_t>(i)];
-    demand(node.id == i, "node " + std::to_string(i) + " is numbered " + std::to_string(node.id));
-    demand(!node.views.empty(), "node " + std::to_string(i) + " has no image");
-    for (const View& view : node.views) {
-      demand(view.image >= 0 && view.image < images(),
-             "node " + std::to_string(i) + " has an image that was never added");
-      demand(view.signature.width == nodes_[0].views[0].signature.width &&
-                 view.signature.height == nodes_[0].views[0].signature.height,
-             "images of different size");
-    }
-  }
-  for (const Edge& edge : edges_) {
-    demand(is_node(edge.from) && is_node(edge.to),
-           "edge " + std::to_string(edge.from) + "-" + std::to_string(edge.to) + " leads to no node");
-  }
-  for (int i = 0; i < images(); ++i) {
-    const Update& update = history_[static_cast<std::size_t>(i)];
-    const std::string image = "image " + std::to_string(i);
-    demand(update.image == i, image + " is numbered " + std::to_string(update.image));
-    demand(is_node(update.node), image + " belongs to no node");
-    for (const int candidate : {update.detection.best.node, update.detection.runner_up.node}) {
-      demand(candidate == Candidate{}.node || is_node(candidate), image + " was compared with no node");
-    }
-    for (const RegionMatch& match : update.detection.matches) {
-      demand(match.query >= 0 && match.candidate >= 0, image + " has a matched region that is none");
-    }
-  }
-  demand(count == 0 ? active_ == -1 : is_node(active_), "the active node does not exist");
+  check_consistency(nodes_, edges_, history_, active_);
   for (const Node& node : nodes_) {
     for (std::size_t v = 0; v < node.views.size(); ++v) {
       if (uses_index()) index_.add({node.id, static_cast<int>(v)}, node.views[v].signature);
