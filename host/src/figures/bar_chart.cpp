@@ -12,7 +12,6 @@
 #include "gnuplot.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/figures.hpp"
-#include "sailmap/file.hpp"
 
 namespace sailmap {
 namespace {
@@ -191,13 +190,7 @@ void write_bar_chart(const fs::path& path, const std::string& title, const std::
     }
     gp << "unset multiplot\n";
   }
-  std::string svg;
-  try {
-    svg = run_gnuplot(script, scratch);
-  } catch (const Error& fault) {
-    throw Error(path.string() + ": " + fault.what());
-  }
-  write_file(path, [&svg](std::ostream& out) { out << svg; });
+  write_plot(path, script, scratch);
 }
 
 }  // namespace sailmap

@@ -14,7 +14,6 @@
 #include "gnuplot.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/figures.hpp"
-#include "sailmap/file.hpp"
 #include "score_raster.hpp"
 
 namespace sailmap {
@@ -187,13 +186,7 @@ void write_evaluation_plot(const fs::path& path, const Evaluation& evaluation, c
     send_matrix_panel(gp, page, scratch.file("cells"), raster, scores);
     gp << "unset multiplot\n";
   }
-  std::string svg;
-  try {
-    svg = run_gnuplot(script, scratch);
-  } catch (const Error& fault) {
-    throw Error(path.string() + ": " + fault.what());
-  }
-  write_file(path, [&svg](std::ostream& out) { out << svg; });
+  write_plot(path, script, scratch);
 }
 
 }  // namespace sailmap

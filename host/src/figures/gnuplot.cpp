@@ -9,6 +9,7 @@
 
 #include "drawing.hpp"
 #include "sailmap/error.hpp"
+#include "sailmap/file.hpp"
 
 namespace sailmap {
 namespace {
@@ -26,6 +27,25 @@ std::string fault_of(const fs::path& messages) {
   const std::string text = drawing::printable(contents(messages));
   constexpr std::size_t most = 300;
   return text.size() > most ? "..." + text.substr(text.size() - most) : text;
+}
+
+// The SVG that gnuplot writes to its standard output for a script in `scratch`.
+std::string run_gnuplot(const fs::path& script, const Scratch& scratch) {
+  const boost::filesystem::path program = process::search_path("gnuplot");
+  if (program.empty()) throw Error("gnuplot is needed to draw this, and is not installed");
+  const fs::path svg = scratch.file("plot.svg");
+  const fs::path messages = scratch.file("messages");
+  // Files rather than pipes: a pipe whose reader has died would end this program.
+  std::error_code failed;
+  const int status =
+      process::system(program, script.string(), process::std_in<process::null, process::std_out> svg.string(),
+                      process::std_err > messages.string(), failed);
+  if (failed) throw Error("gnuplot cannot be run: " + failed.message());
+  std::string drawn = contents(svg);
+  if (status != 0 || drawn.find("</svg>") == std::string::npos) {
+    throw Error("gnuplot failed with status " + std::to_string(status) + ": " + fault_of(messages));
+  }
+  return drawn;
 }
 
 }  // namespace
@@ -51,22 +71,15 @@ std::string gnuplot_text(const std::string& text) {
   return out + "'";
 }
 
-std::string run_gnuplot(const fs::path& script, const Scratch& scratch) {
-  const boost::filesystem::path program = process::search_path("gnuplot");
-  if (program.empty()) throw Error("gnuplot is needed to draw this, and is not installed");
-  const fs::path svg = scratch.file("plot.svg");
-  const fs::path messages = scratch.file("messages");
-  // Files rather than pipes: a pipe whose reader has died would end this program.
-  std::error_code failed;
-  const int status =
-      process::system(program, script.string(), process::std_in<process::null, process::std_out> svg.string(),
-                      process::std_err > messages.string(), failed);
-  if (failed) throw Error("gnuplot cannot be run: " + failed.message());
-  std::string drawn = contents(svg);
-  if (status != 0 || drawn.find("</svg>") == std::string::npos) {
-    throw Error("gnuplot failed with status " + std::to_string(status) + ": " + fault_of(messages));
+void write_plot(const std::filesystem::path& path, const std::filesystem::path& script,
+                const Scratch& scratch) {
+  std::string svg;
+  try {
+    svg = run_gnuplot(script, scratch);
+  } catch (const Error& fault) {
+    throw Error(path.string() + ": " + fault.what());
   }
-  return drawn;
+  write_file(path, [&svg](std::ostream& out) { out << svg; });
 }
 
 }  // namespace sailmap

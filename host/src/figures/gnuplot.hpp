@@ -25,8 +25,9 @@ class Scratch {
 // Text as gnuplot reads it literally.
 std::string gnuplot_text(const std::string& text);
 
-// The SVG that gnuplot writes to its standard output for a script in `scratch`. Throws Error when gnuplot is
-// missing or fails, with what it said.
-std::string run_gnuplot(const std::filesystem::path& script, const Scratch& scratch);
+// Writes the SVG that gnuplot draws from a script in `scratch` into the file `path`. Throws Error, beginning
+// with the path, when gnuplot is missing or fails, with what it said, and when the file cannot be written.
+void write_plot(const std::filesystem::path& path, const std::filesystem::path& script,
+                const Scratch& scratch);
 
 }  // namespace sailmap

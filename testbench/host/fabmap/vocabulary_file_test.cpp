@@ -3,9 +3,9 @@
 
 #include <opencv2/core.hpp>
 
-#include "host/io/temporary_folder.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/fabmap.hpp"
+#include "temporary_folder.hpp"
 
 namespace sailmap::fabmap {
 namespace {

@@ -16,7 +16,7 @@ namespace sailmap::testing {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "sailmap_io_XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "sailmap_XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
     path_ = name;
   }
