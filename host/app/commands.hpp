@@ -21,6 +21,7 @@ void add_compare(CLI::App& app);
 void add_perturb(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_map(CLI::App& app);
+void add_report(CLI::App& app);
 void add_fabmap(CLI::App& app);
 
 }  // namespace sailmap::app

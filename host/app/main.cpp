@@ -44,6 +44,7 @@ int parse_and_run(int argc, char** argv) {
   sailmap::app::add_perturb(app);
   sailmap::app::add_simulate(app);
   sailmap::app::add_map(app);
+  sailmap::app::add_report(app);
   sailmap::app::add_fabmap(app);
   try {
     app.parse(argc, argv);
