@@ -131,9 +131,9 @@ export function drawGraph(zoom, picture) {
   drawSelection(c, zoom, picture, radius);
 }
 
-function drawSelection(c, zoom, {at, selected, node}, radius) {
+function drawSelection(c, zoom, {at, selected, node, scale}, radius) {
   if (selected) {
-    for (const [colour, width] of [["#ffffff", 7], ["#e2574c", 3.5]]) {
+    for (const [colour, width] of [["#ffffff", 8], [scale.colour(selected.best), 4]]) {
       c.strokeStyle = colour;
       c.lineWidth = width;
       strokeEdges(c, zoom, at, [selected.from, selected.to]);
@@ -142,8 +142,8 @@ function drawSelection(c, zoom, {at, selected, node}, radius) {
   const rings = selected ? [selected.from, selected.to] : [];
   if (node !== null) rings.push(node);
   for (const i of rings) {
-    ring(c, zoom.toX(at[2 * i]), zoom.toY(at[2 * i + 1]), radius + 6, "#ffffff", 4);
-    ring(c, zoom.toX(at[2 * i]), zoom.toY(at[2 * i + 1]), radius + 6, "#e2574c", 2);
+    ring(c, zoom.toX(at[2 * i]), zoom.toY(at[2 * i + 1]), radius + 6, ground, 5);
+    ring(c, zoom.toX(at[2 * i]), zoom.toY(at[2 * i + 1]), radius + 6, "#ffffff", 2.5);
   }
 }
 

@@ -31,10 +31,10 @@ export class LoopList {
     this.pair = new PairView(store);
     this.place = el("p", {class: "muted"});
     this.build();
-    this.refresh();
-    if (this.shown.length > 0) store.selectLoop(this.first());
     store.on("data", () => this.refresh());
     store.on("loop", () => this.reveal());
+    this.refresh();
+    if (this.shown.length > 0) store.selectLoop(this.first(), {quiet: true});
     new ResizeObserver(() => this.draw()).observe(this.list);
   }
 

@@ -125,6 +125,7 @@ export class MapView {
       const next = loops[(loops.indexOf(this.store.loop) + 1) % loops.length];
       this.node = null;
       this.store.selectLoop(next);
+      this.store.quiet = false;
       this.showLoop();
       return;
     }
@@ -137,7 +138,8 @@ export class MapView {
   // Brings the loop's ends into sight.
   showLoop() {
     const joint = this.jointOf(this.store.loop);
-    if (!joint) return;
+    this.redraw();
+    if (!joint || this.store.quiet) return;
     this.node = null;
     const at = this.at;
     const x = this.zoom.toX(at[2 * joint.to]);
@@ -145,7 +147,6 @@ export class MapView {
     if (x < 0 || y < 0 || x > this.canvas.clientWidth || y > this.canvas.clientHeight) {
       this.zoom.centre(at[2 * joint.to], at[2 * joint.to + 1]);
     }
-    this.redraw();
     const loop = this.store.loopAt(this.store.loop);
     const same = joint.loops.length > 1 ? ` One of ${joint.loops.length} along this line.` : "";
     this.say(

@@ -68,7 +68,7 @@ function photo(picture, place, alt) {
 export function pairFigure(pair, left, right, {beside, regions, names}) {
   const {a, b, width, height} = places(left, right, beside);
   const thick = beside ? 2 : 3.4;
-  const out = svg("svg", {viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "The two images"});
+  const out = svg("svg", {class: "figure", viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "The two images"});
   out.append(photo(left, a, names[0]), photo(right, b, names[1]));
   const matches = pair.matches ?? [];
   if (regions) {
@@ -86,8 +86,8 @@ export function pairFigure(pair, left, right, {beside, regions, names}) {
     const colour = distinct(m / 3);
     const title = `Descriptor distance ${score(matches[m + 2])}`;
     lines.append(
-      svg("line", {x1, y1, x2, y2, stroke: "rgb(0 0 0 / 55%)", "stroke-width": thick + 2}),
-      svg("line", {x1, y1, x2, y2, stroke: colour, "stroke-width": thick}));
+      svg("line", {x1, y1, x2, y2, stroke: "rgb(0 0 0 / 40%)", "stroke-width": 0.7 * thick + 1.4}),
+      svg("line", {x1, y1, x2, y2, stroke: colour, "stroke-width": 0.7 * thick, "stroke-opacity": 0.85}));
     out.append(frame(from, a, colour, 1.6 * thick, title), frame(to, b, colour, 1.6 * thick, title));
   }
   return out;

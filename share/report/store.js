@@ -50,9 +50,11 @@ export class Store {
     };
   }
 
-  selectLoop(k) {
+  // `quiet`: not by the reader, so that nothing need be opened or moved for it.
+  selectLoop(k, {quiet = false} = {}) {
     if (k === this.loop) return;
     this.loop = k;
+    this.quiet = quiet;
     this.emit("loop");
   }
 
