@@ -1,4 +1,6 @@
 // sailmap report: a map or an evaluation as one HTML page.
+#include "sailmap/report.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -9,7 +11,6 @@
 #include "io/file_reading.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/map_store.hpp"
-#include "sailmap/report.hpp"
 
 namespace sailmap::app {
 namespace {
@@ -38,7 +39,9 @@ bool is_evaluation(const std::string& path) {
 
 void report_map(Options& options) {
   const auto store = open_map_store(options.input);
+  if (!store->exists()) throw Error(options.input + ": no such file, or an empty one");
   const StoredMap stored = store->load();
+  options.report.store = store.get();
   const int images = stored.map.images();
   if (!options.poses.empty()) options.report.positions = read_poses(options.poses);
   if (!options.ground_truth.empty()) {
@@ -73,14 +76,18 @@ void report(Options& options) {
 void add_picture_options(CLI::App& command, Options& options) {
   constexpr const char* group = "Pictures";
   ReportOptions& report = options.report;
-  command.add_option("--pairs", report.pairs, "Loops shown as pictures, at most: strongest, weakest, doubtful")
+  command
+      .add_option("--pairs", report.pairs, "Loops shown as pictures, at most: strongest, weakest, doubtful")
       ->check(CLI::Range(0, 100000).description(""))
       ->capture_default_str()
       ->group(group);
-  command.add_option("--image", report.images, "Show the saliency of this image in any case; may be repeated")
+  command
+      .add_option("--image", report.images, "Show the saliency of this image in any case; may be repeated")
       ->type_name("NUMBER")
       ->group(group);
-  command.add_option("--thumbnails", report.thumbnails, "Further images shown, evenly over the sequence, at most")
+  command
+      .add_option("--thumbnails", report.thumbnails,
+                  "Further images shown, evenly over the sequence, at most")
       ->check(CLI::Range(0, 100000).description(""))
       ->capture_default_str()
       ->group(group);
@@ -114,7 +121,9 @@ void add_report(CLI::App& app) {
                    "For ground truth by poses: metres within which two images show the same place")
       ->check(CLI::PositiveNumber.description(""))
       ->group(group);
-  command->add_option("--poses", options->poses, "Where each image was taken (KITTI, TUM, CSV): a map over positions")
+  command
+      ->add_option("--poses", options->poses,
+                   "Where each image was taken (KITTI, TUM, CSV): a map over positions")
       ->type_name("FILE")
       ->group(group);
   add_picture_options(*command, *options);

@@ -9,11 +9,12 @@ const colour_steps = 24;
 // Loops by the nodes they join. A loop that moved from a node to itself is a mark on that node.
 export function loopJoints(store) {
   const {history, loops, graph} = store.data;
+  const begins = new Set(store.data.sessions ?? [0]); // no way leads to the first image of a session
   const joined = new Map();
   for (let k = 0; k < loops.image.length; ++k) {
     const image = loops.image[k];
     const to = history.node[image];
-    const from = image > 0 ? history.node[image - 1] : to;
+    const from = begins.has(image) || image === 0 ? to : history.node[image - 1];
     const key = Math.min(from, to) * graph.nodes + Math.max(from, to);
     const joint = joined.get(key);
     if (!joint) joined.set(key, {from, to, loops: [k], best: loops.score[k]});

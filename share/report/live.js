@@ -52,7 +52,6 @@ export class Live {
     if (anything) {
       data.images.names.push(...news.names);
       data.images.count += news.names.length;
-      data.reasons = news.reasons;
       append(data.history, news.history);
       append(data.loops, news.loops);
       data.graph.images.push(...news.graph.images);
@@ -98,18 +97,18 @@ export class Live {
   async showLatest() {
     const number = this.store.data.images.count - 1;
     this.caption.textContent = `Image ${number}: ${this.store.file(number)}`;
-    const picture = await this.picture(number, "photo");
+    const picture = await this.picture(number);
     this.photo.hidden = !picture;
     if (!picture) return;
     this.photo.src = image(picture.photo, "").getAttribute("src");
     this.photo.alt = `The latest image, number ${number}`;
   }
 
-  async picture(number, parts) {
+  async picture(number) {
     const known = this.store.picture(number);
-    if (known && (parts === "photo" || known.saliency.length > 0)) return known;
+    if (known) return known;
     try {
-      const answer = await fetch(`/picture/${number}?parts=${parts}`);
+      const answer = await fetch(`/picture/${number}`);
       return answer.ok ? await answer.json() : null;
     } catch {
       return null;

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <opencv2/imgcodecs.hpp>
 
-#include "pairs.hpp"
 #include "sailmap/error.hpp"
+#include "sailmap/map_store.hpp"
 
 namespace sailmap::report {
 namespace {
@@ -50,8 +51,7 @@ class Showing {
           Looker& looker, Problems& problems)
       : subject_(subject), options_(options), stored_(stored), looker_(looker), problems_(problems) {}
 
-  Shown run() {
-    const std::vector<Pick> picks = pick_loops(subject_, static_cast<std::size_t>(std::max(0, options_.pairs)));
+  Shown run(const std::vector<Pick>& picks) {
     std::size_t shown = 0;
     for (; shown < picks.size() && !full(); ++shown) add_pair(picks[shown]);
     if (shown < picks.size()) {
@@ -66,16 +66,35 @@ class Showing {
   [[nodiscard]] bool full() const { return out_.bytes >= options_.budget; }
   [[nodiscard]] bool has(int image) const { return out_.pictures.contains(std::to_string(image)); }
 
+  [[nodiscard]] const std::string& name(int image) const {
+    return subject_.names[static_cast<std::size_t>(image)];
+  }
+
   // nullptr when the image cannot be read, which is then on the page.
   std::unique_ptr<Look> look(int image) {
     if (failed_.contains(image)) return nullptr;
     try {
-      return std::make_unique<Look>(looker_.look(subject_.names[static_cast<std::size_t>(image)]));
+      return std::make_unique<Look>(looker_.look(name(image)));
     } catch (const Error& fault) {
+      auto thumbnail = look_at_thumbnail(image);
+      if (thumbnail) return thumbnail;
       failed_.insert(image);
       problems_.add_image(image, fault.what());
       return nullptr;
     }
+  }
+
+  // What the map's file keeps of an image, if it does.
+  [[nodiscard]] std::unique_ptr<Look> look_at_thumbnail(int image) const {
+    const Signature* signature = stored_.of(image);
+    if (options_.store == nullptr || signature == nullptr) return nullptr;
+    const std::vector<unsigned char> jpeg = options_.store->thumbnail(image);
+    if (jpeg.empty()) return nullptr;
+    auto look = std::make_unique<Look>();
+    look->image = cv::imdecode(jpeg, cv::IMREAD_COLOR);
+    look->signature = *signature;
+    if (look->image.empty()) return nullptr;
+    return look;
   }
 
   void keep(int image, const Look& look, int side) {
@@ -95,13 +114,15 @@ class Showing {
   void add_pair(const Pick& pick) {
     const Loop& loop = subject_.loops[pick.loop];
     const auto image = look(loop.image);
-    const int view = image ? best_view(loop, image->signature, stored_, subject_.config.match) : loop.views.front();
+    const int view =
+        image ? best_view(loop, image->signature, stored_, subject_.config.match) : loop.views.front();
     const auto place = look(view);
     if (image) keep(loop.image, *image, pair_side);
     if (place) keep(view, *place, pair_side);
     ordered_json entry = {{"loop", pick.loop}, {"why", pick.why}};
     try {
-      if (image && place) entry.update(pair_of(loop, view, *image, *place, subject_));
+      if (image && place)
+        entry.update(pair_of(loop, {view, name(loop.image), name(view)}, *image, *place, subject_));
     } catch (const Error& fault) {
       problems_.add(fault.what());
     }
@@ -140,7 +161,9 @@ class Showing {
   std::set<int> failed_;
 };
 
-ordered_json or_null(bool known, double value) { return known ? ordered_json(shortened(value)) : ordered_json(); }
+ordered_json or_null(bool known, double value) {
+  return known ? ordered_json(shortened(value)) : ordered_json();
+}
 
 }  // namespace
 
@@ -205,9 +228,9 @@ ordered_json history_of(const TopologicalMap& map) {
   return out;
 }
 
-Shown show(const Subject& subject, const ReportOptions& options, const StoredSignatures& stored,
-           Looker& looker, Problems& problems) {
-  return Showing(subject, options, stored, looker, problems).run();
+Shown show(const Subject& subject, const std::vector<Pick>& picks, const ReportOptions& options,
+           const StoredSignatures& stored, Looker& looker, Problems& problems) {
+  return Showing(subject, options, stored, looker, problems).run(picks);
 }
 
 }  // namespace sailmap::report

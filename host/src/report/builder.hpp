@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pairs.hpp"
 #include "pictures.hpp"
 #include "subject.hpp"
 
@@ -42,8 +43,9 @@ struct Shown {
   std::string left_out;  // empty, or what the budget did not allow
 };
 
-// Loops, the images asked for, and some more evenly over the sequence, until the budget is used up.
-Shown show(const Subject& subject, const ReportOptions& options, const StoredSignatures& stored,
-           Looker& looker, Problems& problems);
+// The loops `picks`, the images asked for, and some more evenly over the sequence, until the budget is used
+// up. Where an image file is missing, the thumbnail that the map's file may have is shown.
+Shown show(const Subject& subject, const std::vector<Pick>& picks, const ReportOptions& options,
+           const StoredSignatures& stored, Looker& looker, Problems& problems);
 
 }  // namespace sailmap::report

@@ -30,7 +30,8 @@ Ranking rank_row(const Plane<float>& scores, int query, int same_place) {
 // Candidate and score, or null.
 void append(ordered_json& candidates, ordered_json& scores, const Candidate& candidate) {
   candidates.push_back(candidate.node < 0 ? ordered_json(nullptr) : ordered_json(candidate.node));
-  scores.push_back(candidate.node < 0 ? ordered_json(nullptr) : ordered_json(shortened(candidate.similarity)));
+  scores.push_back(candidate.node < 0 ? ordered_json(nullptr)
+                                      : ordered_json(shortened(candidate.similarity)));
 }
 
 // [threshold, precision, recall, ...], thinned evenly; the last point stays.
@@ -39,7 +40,8 @@ ordered_json thinned(const std::vector<CurvePoint>& curve) {
   const std::size_t count = std::min(curve.size(), curve_points);
   for (std::size_t k = 0; k < count; ++k) {
     const CurvePoint& point = curve[count == 1 ? 0 : k * (curve.size() - 1) / (count - 1)];
-    for (const double value : {point.threshold, point.precision, point.recall}) out.push_back(shortened(value));
+    for (const double value : {point.threshold, point.precision, point.recall})
+      out.push_back(shortened(value));
   }
   return out;
 }
@@ -79,7 +81,8 @@ Candidate candidate_at(const ordered_json& best, const char* which, const char* 
   const ordered_json& number = best.at(which).at(query);
   if (number.is_null()) return {};
   const Candidate out{number.get<int>(), best.at(score).at(query).get<double>()};
-  if (out.node < 0 || out.node >= candidates) throw Error(fmt::format("query {} has no such {}", query, which));
+  if (out.node < 0 || out.node >= candidates)
+    throw Error(fmt::format("query {} has no such {}", query, which));
   return out;
 }
 

@@ -44,16 +44,14 @@ nlohmann::ordered_json graph_of(const TopologicalMap& map) {
     views.push_back(node.views.size());
   }
   nlohmann::ordered_json paths = nlohmann::ordered_json::array();
-  nlohmann::ordered_json loops = nlohmann::ordered_json::array();
   for (const Edge& edge : map.edges()) {
-    auto& list = edge.kind == EdgeKind::path ? paths : loops;
-    list.push_back(edge.from);
-    list.push_back(edge.to);
+    if (edge.kind != EdgeKind::path) continue;
+    paths.push_back(edge.from);
+    paths.push_back(edge.to);
   }
   nlohmann::ordered_json out = {{"nodes", map.nodes().size()}, {"images", std::move(first)}};
   if (map.config().sparse) out["views"] = std::move(views);
   out["paths"] = std::move(paths);
-  out["loops"] = std::move(loops);
   out["active"] = map.active();
   return out;
 }

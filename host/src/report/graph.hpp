@@ -17,7 +17,7 @@ std::vector<double> lay_out(int nodes, const std::vector<Edge>& edges);
 std::vector<double> node_positions(const TopologicalMap& map, const std::vector<Pose>& positions);
 
 // {"nodes", "images": first image of each node, "views": images of each node (sparse maps alone), "paths":
-// [from, to, ...], "loops": [from, to, ...], "active"}
+// [from, to, ...], "active"}; the page finds the loops' lines in the history.
 nlohmann::ordered_json graph_of(const TopologicalMap& map);
 
 // Numbers on a grid of a 10 000th of the larger side.

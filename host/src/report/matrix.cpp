@@ -71,10 +71,14 @@ GroundTruth truth_of_sample(const Similarities& s, const GroundTruth& truth) {
 
 }  // namespace
 
+std::vector<int> matrix_rows(const TopologicalMap& map) {
+  return spread(static_cast<std::size_t>(map.images()), matrix_side);
+}
+
 Similarities compare_images(const TopologicalMap& map,
                             const std::function<std::optional<Signature>(int image)>& signature_of) {
   Similarities out;
-  out.rows = spread(static_cast<std::size_t>(map.images()), matrix_side);
+  out.rows = matrix_rows(map);
   std::vector<const Node*> nodes;
   for (const int id : spread(map.nodes().size(), matrix_columns)) {
     nodes.push_back(&map.nodes()[static_cast<std::size_t>(id)]);
@@ -86,7 +90,7 @@ Similarities compare_images(const TopologicalMap& map,
   out.unknown = static_cast<int>(std::ranges::count_if(images, [](const auto& image) { return !image; }));
   tbb::parallel_for(std::size_t{0}, images.size(), [&](std::size_t r) {
     if (!images[r]) return;
-    const int last = out.rows[r] - map.config().exclude_recent;  // nodes made before this image are admissible
+    const int last = first_not_admissible(map, out.rows[r]);
     std::vector<const Node*> admissible;
     for (const Node* node : nodes) {
       if (node->views.front().image < last) admissible.push_back(node);

@@ -24,6 +24,9 @@ struct Similarities {
   int unknown = 0;      // rows whose image could not be looked at, and were not in the map
 };
 
+// The images of the rows.
+std::vector<int> matrix_rows(const TopologicalMap& map);
+
 // `signature_of(image)` gives an image's regions, std::nullopt when they cannot be had; it is asked for the
 // images of the rows, from one thread. Similarities of single images, before any temporal filter.
 Similarities compare_images(const TopologicalMap& map,

@@ -33,8 +33,7 @@ Signature numbered(const Signature& signature, const MatchConfig& config) {
 std::vector<Pick> pick_loops(const Subject& subject, std::size_t most) {
   const Order weakest = sorted(subject, [](const Loop& loop) { return loop.score; });
   const Order strongest = sorted(subject, [](const Loop& loop) { return -loop.score; });
-  const Order doubtful =
-      sorted(subject, [&](const Loop& loop) { return margin(loop, subject.threshold); });
+  const Order doubtful = sorted(subject, [&](const Loop& loop) { return margin(loop, subject.threshold); });
   const std::size_t wanted = std::min(most, subject.loops.size());
   std::vector<Pick> out;
   std::unordered_set<std::size_t> taken;
@@ -67,7 +66,8 @@ int best_view(const Loop& loop, const Signature& image, const StoredSignatures& 
   double most = -1;
   for (const int view : loop.views) {
     const Signature* signature = stored.of(view);
-    if (signature == nullptr || signature->width != image.width || signature->height != image.height) continue;
+    if (signature == nullptr || signature->width != image.width || signature->height != image.height)
+      continue;
     const double similarity = match(image, *signature, config).similarity;
     if (similarity > most) {
       most = similarity;
@@ -77,7 +77,7 @@ int best_view(const Loop& loop, const Signature& image, const StoredSignatures& 
   return best;
 }
 
-nlohmann::ordered_json pair_of(const Loop& loop, int view, const Look& image, const Look& place,
+nlohmann::ordered_json pair_of(const Loop& loop, const PairNames& names, const Look& image, const Look& place,
                                const Subject& subject) {
   nlohmann::ordered_json flat = nlohmann::ordered_json::array();
   const Signature left = numbered(image.signature, subject.config.match);
@@ -91,7 +91,7 @@ nlohmann::ordered_json pair_of(const Loop& loop, int view, const Look& image, co
       };
       if (!fits(m.query, left) || !fits(m.candidate, right)) {
         throw Error(fmt::format("{}: not the image it was, its regions are others",
-                                subject.names[static_cast<std::size_t>(fits(m.query, left) ? view : loop.image)]));
+                                fits(m.query, left) ? names.place : names.image));
       }
       flat.push_back(m.query);
       flat.push_back(m.candidate);
@@ -99,7 +99,7 @@ nlohmann::ordered_json pair_of(const Loop& loop, int view, const Look& image, co
     }
   }
   const int side = subject.config.regions.box_side;
-  return {{"view", view},
+  return {{"view", names.view},
           {"matches", std::move(flat)},
           {"regions", boxes_of(left, side)},
           {"place_regions", boxes_of(right, side)}};

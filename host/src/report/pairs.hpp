@@ -24,10 +24,17 @@ std::vector<Pick> pick_loops(const Subject& subject, std::size_t most);
 int best_view(const Loop& loop, const Signature& image, const StoredSignatures& stored,
               const MatchConfig& config);
 
+// The image of the known place that is shown, and what both images are called.
+struct PairNames {
+  int view = 0;
+  std::string image;
+  std::string place;
+};
+
 // {"view", "matches": [image's region, place's region, distance, ...], "regions": boxes of the image,
 // "place_regions": boxes of the place}. Throws Error when the recorded matches are of other regions than the
 // images have today.
-nlohmann::ordered_json pair_of(const Loop& loop, int view, const Look& image, const Look& place,
+nlohmann::ordered_json pair_of(const Loop& loop, const PairNames& names, const Look& image, const Look& place,
                                const Subject& subject);
 
 }  // namespace sailmap::report

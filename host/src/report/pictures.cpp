@@ -105,8 +105,8 @@ nlohmann::ordered_json picture_of(const Look& look, int longest) {
       maps.push_back(jpeg_uri(coloured(map), map_side, map_quality));
     }
   }
-  return {{"width", look.image.cols},
-          {"height", look.image.rows},
+  return {{"width", look.signature.width},
+          {"height", look.signature.height},
           {"photo", jpeg_uri(look.image, longest, photo_quality)},
           {"saliency", std::move(maps)}};
 }

@@ -14,7 +14,7 @@ namespace sailmap::report {
 
 // An image, read and described.
 struct Look {
-  cv::Mat image;        // 8-bit BGR
+  cv::Mat image;        // 8-bit BGR; smaller than the signature says when it is a thumbnail
   Maps maps;            // empty when there is no front end
   Signature signature;  // with the regions that the method numbers; no regions when there is no front end
 };

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <set>
 
 #include "builder.hpp"
 #include "evaluation_file.hpp"
@@ -15,6 +16,7 @@
 #include "matrix.hpp"
 #include "page.hpp"
 #include "sailmap/error.hpp"
+#include "sailmap/map_store.hpp"
 #include "sailmap/file.hpp"
 
 namespace sailmap {
@@ -85,6 +87,34 @@ void check_images(const ReportOptions& options, std::size_t count) {
   }
 }
 
+std::vector<Pick> picks_of(const Subject& subject, const ReportOptions& options) {
+  return pick_loops(subject, static_cast<std::size_t>(std::max(0, options.pairs)));
+}
+
+// Of the images that the page compares or pictures; all of a large map's would be many.
+StoredSignatures stored_signatures(const TopologicalMap& map, const Subject& subject,
+                                   const std::vector<Pick>& picks, const ReportOptions& options) {
+  StoredSignatures stored(&map);
+  if (options.store == nullptr) return stored;
+  std::set<int> wanted(options.images.begin(), options.images.end());
+  for (const int row : matrix_rows(map)) wanted.insert(row);
+  for (const Pick& pick : picks) wanted.insert(subject.loops[pick.loop].image);
+  options.store->for_each_image([&](StoredImage image) {
+    if (image.signature && wanted.contains(image.image) && stored.of(image.image) == nullptr) {
+      stored.add(image.image, std::move(*image.signature));
+    }
+  });
+  return stored;
+}
+
+void add_runs(ordered_json& timings, const ReportOptions& options) {
+  if (options.store == nullptr) return;
+  for (const Session& session : options.store->sessions()) {
+    if (session.seconds <= 0) continue;
+    timings.push_back(timing("Run over " + session.source, session.images / session.seconds, "images/s"));
+  }
+}
+
 ordered_json build(const TopologicalMap& map, const std::string& frontend, const ReportOptions& options) {
   check(map, options);
   check_images(options, map.history().size());
@@ -96,21 +126,23 @@ ordered_json build(const TopologicalMap& map, const std::string& frontend, const
   data["image_size"] = {first.width, first.height};
   data["images"] = names_of(subject.names);
   ordered_json timings = ordered_json::array();
+  add_runs(timings, options);
 
   const Stopwatch layout;
   ordered_json graph = graph_of(map);
   graph["layout"] = rounded_positions(lay_out(static_cast<int>(map.nodes().size()), map.edges()));
-  graph["positions"] = options.positions.empty()
-                           ? ordered_json(nullptr)
-                           : rounded_positions(node_positions(map, options.positions));
+  graph["positions"] = options.positions.empty() ? ordered_json(nullptr)
+                                                 : rounded_positions(node_positions(map, options.positions));
   data["graph"] = std::move(graph);
   const double layout_seconds = layout.seconds();
 
   data["evaluation"] = options.truth ? evaluation_of(judge(subject, *options.truth)) : ordered_json(nullptr);
   data["history"] = history_of(map);
+  data["sessions"] = map.sessions();
   data["loops"] = loops_of(subject);
 
-  const StoredSignatures stored(&map);
+  const std::vector<Pick> picks = picks_of(subject, options);
+  const StoredSignatures stored = stored_signatures(map, subject, picks, options);
   Looker looker(frontend, map.config().regions, options.image_root);
   const Stopwatch comparing;
   const Similarities similarities = compare_images(map, [&](int image) -> std::optional<Signature> {
@@ -126,7 +158,7 @@ ordered_json build(const TopologicalMap& map, const std::string& frontend, const
   const double comparing_seconds = comparing.seconds() - looker.times().total();
   const auto compared = std::ranges::count_if(similarities.scores.samples(), [](float s) { return s == s; });
 
-  add_shown(data, show(subject, options, stored, looker, problems), options, problems);
+  add_shown(data, show(subject, picks, options, stored, looker, problems), options, problems);
   add_look_times(timings, looker.times(), true);
   if (compared > 0) {
     timings.push_back(
@@ -155,7 +187,10 @@ ordered_json build(const std::filesystem::path& path, const ReportOptions& optio
   data["loops"] = loops_of(file.subject);
   data["matrix"] = std::move(file.matrix);
   Looker looker(file.subject.frontend, file.subject.config.regions, options.image_root);
-  add_shown(data, show(file.subject, options, StoredSignatures(nullptr), looker, problems), options, problems);
+  add_shown(data,
+            show(file.subject, picks_of(file.subject, options), options, StoredSignatures(nullptr), looker,
+                 problems),
+            options, problems);
   ordered_json timings = ordered_json::array();
   timings.push_back(timing("Images described in the evaluation", file.images_per_second, "images/s"));
   add_look_times(timings, looker.times(), !file.subject.frontend.empty());

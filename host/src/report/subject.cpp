@@ -55,7 +55,7 @@ class Judgement {
       const int node = other < image ? node_of_view_[static_cast<std::size_t>(other)] : -1;
       if (node < 0) return false;
       const int first = map_.nodes()[static_cast<std::size_t>(node)].views.front().image;
-      return image - first > map_.config().exclude_recent;
+      return first < first_not_admissible(map_, image);
     });
   }
 
@@ -65,6 +65,14 @@ class Judgement {
 };
 
 }  // namespace
+
+// What was seen in an older session is admissible however recent it is.
+int first_not_admissible(const TopologicalMap& map, int image) {
+  const auto& sessions = map.sessions();
+  const auto later = std::ranges::upper_bound(sessions, image);
+  const int session = later == sessions.begin() ? 0 : *(later - 1);
+  return std::max(image - map.config().exclude_recent, session);
+}
 
 Subject subject_of(const TopologicalMap& map, const std::string& frontend, const ReportOptions& options) {
   Subject subject;
@@ -101,9 +109,15 @@ StoredSignatures::StoredSignatures(const TopologicalMap* map) {
   }
 }
 
+void StoredSignatures::add(int image, Signature signature) {
+  others_.insert_or_assign(image, std::move(signature));
+}
+
 const Signature* StoredSignatures::of(int image) const {
   const auto i = static_cast<std::size_t>(image);
-  return i < by_image_.size() ? by_image_[i] : nullptr;
+  if (i < by_image_.size() && by_image_[i] != nullptr) return by_image_[i];
+  const auto other = others_.find(image);
+  return other == others_.end() ? nullptr : &other->second;
 }
 
 Evaluation judge(Subject& subject, const GroundTruth& truth) {

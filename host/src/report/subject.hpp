@@ -1,6 +1,7 @@
 // What a report is about, whether it was a map or an evaluation: images by number, and the loops among them.
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -39,15 +40,20 @@ struct Subject {
 
 Subject subject_of(const TopologicalMap& map, const std::string& frontend, const ReportOptions& options);
 
-// Where an image's regions are kept in the map; nullptr when they are not (an image that closed a loop in a
-// dense map made no node).
+// Nodes that were made before this image could be compared with `image`.
+int first_not_admissible(const TopologicalMap& map, int image);
+
+// Where an image's regions are kept: in the map, where it made a node; else perhaps in its file.
 class StoredSignatures {
  public:
   explicit StoredSignatures(const TopologicalMap* map);
-  [[nodiscard]] const Signature* of(int image) const;
+  // Those of further images, from the file.
+  void add(int image, Signature signature);
+  [[nodiscard]] const Signature* of(int image) const;  // nullptr when they are not kept
 
  private:
   std::vector<const Signature*> by_image_;
+  std::map<int, Signature> others_;
 };
 
 // Precision and recall of the map's own detections: whether an image of the detected node is a true match.

@@ -44,7 +44,8 @@ TopologicalMap make_map(int places) {
   int active = -1;
   for (int image = 0; static_cast<int>(nodes.size()) < places || (image / per_lap) % 2 == 1; ++image) {
     const int known = static_cast<int>(nodes.size());
-    Update update{image, "nowhere/" + std::to_string(image) + ".png", known, true, detection_of(image, known)};
+    Update update{image, "nowhere/" + std::to_string(image) + ".png", known, true,
+                  detection_of(image, known)};
     if (update.detection.accepted()) {
       update.node = update.detection.best.node;
       update.new_node = false;
