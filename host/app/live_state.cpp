@@ -74,7 +74,7 @@ ordered_json LiveState::empty_page() const {
           {"version", 1},
           {"kind", "live"},
           {"title", title_},
-          {"method", name(config_.match.method)},
+          {"method", sailmap::name(config_.match.method)},
           {"frontend", frontend_},
           {"threshold", config_.detection.threshold},
           {"images", {{"count", 0}, {"prefix", ""}, {"names", ordered_json::array()}}},

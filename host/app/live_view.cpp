@@ -147,8 +147,14 @@ class LiveView::Server {
                                {"Referrer-Policy", "no-referrer"},
                                {"Cross-Origin-Resource-Policy", "same-origin"},
                                {"X-Frame-Options", "DENY"}});
-    http_.set_exception_handler([](const Request&, Response& response, std::exception& fault) {
-      refuse(response, 404, Error(fault.what()).what());
+    http_.set_exception_handler([](const Request&, Response& response, const std::exception_ptr& fault) {
+      try {
+        std::rethrow_exception(fault);
+      } catch (const Error& error) {
+        refuse(response, 404, error.what());
+      } catch (const std::exception&) {
+        refuse(response, 500, "something failed");
+      }
     });
     http_.set_error_handler([](const Request&, Response& response) {
       if (response.body.empty()) refuse(response, response.status, "there is nothing here");

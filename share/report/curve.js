@@ -2,7 +2,7 @@
 import {el, section, svg} from "./dom.js";
 import {number, percent, score} from "./format.js";
 
-const size = {width: 560, height: 400, left: 58, bottom: 44, top: 14, right: 16};
+const size = {width: 560, height: 410, left: 62, bottom: 54, top: 14, right: 16};
 const toX = (recall) => size.left + recall * (size.width - size.left - size.right);
 const toY = (precision) => size.height - size.bottom - precision * (size.height - size.top - size.bottom);
 
@@ -12,7 +12,7 @@ function gridLines() {
     lines.push(
       svg("line", {class: "grid", x1: toX(part), x2: toX(part), y1: toY(0), y2: toY(1)}),
       svg("line", {class: "grid", x1: toX(0), x2: toX(1), y1: toY(part), y2: toY(part)}),
-      svg("text", {x: toX(part), y: toY(0) + 18, "text-anchor": "middle"}, `${Math.round(100 * part)}`),
+      svg("text", {x: toX(part), y: toY(0) + 20, "text-anchor": "middle"}, `${Math.round(100 * part)}`),
       svg("text", {x: toX(0) - 8, y: toY(part) + 4, "text-anchor": "end"}, `${Math.round(100 * part)}`));
   }
   const middle = (toY(0) + toY(1)) / 2;

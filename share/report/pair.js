@@ -76,7 +76,7 @@ export function pairFigure(pair, left, right, {beside, regions, names}) {
       for (let k = 0; k < boxes.length / 4; ++k) out.append(frame(boxAt(boxes, k), place, "#cfd6e2", thick / 2));
     }
   }
-  const lines = svg("g", {});
+  const lines = svg("g", {opacity: matches.length > 72 ? 0.5 : 0.85});
   out.append(lines);
   for (let m = 0; m < matches.length; m += 3) {
     const from = boxAt(pair.regions, matches[m]);
@@ -87,30 +87,31 @@ export function pairFigure(pair, left, right, {beside, regions, names}) {
     const title = `Descriptor distance ${score(matches[m + 2])}`;
     lines.append(
       svg("line", {x1, y1, x2, y2, stroke: "rgb(0 0 0 / 40%)", "stroke-width": 0.7 * thick + 1.4}),
-      svg("line", {x1, y1, x2, y2, stroke: colour, "stroke-width": 0.7 * thick, "stroke-opacity": 0.85}));
+      svg("line", {x1, y1, x2, y2, stroke: colour, "stroke-width": 0.7 * thick}));
     out.append(frame(from, a, colour, 1.6 * thick, title), frame(to, b, colour, 1.6 * thick, title));
   }
   return out;
 }
 
 // Score, threshold and runner-up on one line.
-export function gauge(loop, threshold) {
+export function gauge(loop, threshold, wide) {
+  const width = wide ? 600 : 320;
   const values = [0, threshold, loop.score, loop.rivalScore ?? threshold];
   const least = Math.min(...values);
   const most = Math.max(...values) * 1.04 || 1;
-  const x = (value) => 8 + (584 * (value - least)) / (most - least || 1);
+  const x = (value) => 8 + ((width - 16) * (value - least)) / (most - least || 1);
   const mark = (value, text, above) => [
     svg("line", {x1: x(value), x2: x(value), y1: 17, y2: 37, stroke: "var(--ink)", "stroke-width": 2}),
     svg("text", {
       x: x(value),
       y: above ? 12 : 51,
-      "text-anchor": x(value) > 480 ? "end" : x(value) < 120 ? "start" : "middle",
+      "text-anchor": x(value) > 0.8 * width ? "end" : x(value) < 0.2 * width ? "start" : "middle",
     }, `${text} ${score(value)}`),
   ];
   const words = `Similarity ${score(loop.score)}, threshold ${score(threshold)}` +
     (loop.rival === null ? "" : `, runner-up ${score(loop.rivalScore)}`);
-  return svg("svg", {class: "gauge", viewBox: "0 0 600 54", role: "img", "aria-label": words},
-    svg("rect", {x: 8, y: 22, width: 584, height: 10, rx: 5, fill: "var(--rule)"}),
+  return svg("svg", {class: "gauge", viewBox: `0 0 ${width} 54`, role: "img", "aria-label": words},
+    svg("rect", {x: 8, y: 22, width: width - 16, height: 10, rx: 5, fill: "var(--rule)"}),
     svg("rect", {x: 8, y: 22, width: Math.max(0, x(loop.score) - 8), height: 10, rx: 5, fill: "var(--accent)"}),
     mark(threshold, "threshold", false),
     loop.rival === null ? [] : mark(loop.rivalScore, "runner-up", true));
@@ -143,7 +144,7 @@ export class PairView {
     const pair = store.pairs.get(store.loop);
     this.element.replaceChildren(
       ...[this.title(loop, pair), this.words(loop, pair), this.figure(loop, pair), this.captions(loop),
-        gauge(loop, store.data.threshold), this.rival(loop)].filter(Boolean));
+        gauge(loop, store.data.threshold, this.isWide()), this.rival(loop)].filter(Boolean));
   }
 
   title(loop, pair) {
