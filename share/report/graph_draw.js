@@ -80,9 +80,13 @@ function strokeLoops(c, zoom, at, joints, scale, width) {
 function drawLabels(c, zoom, at, radius) {
   c.font = "11px system-ui, sans-serif";
   c.textBaseline = "middle";
-  for (const i of visible(at, zoom, 58)) {
+  const placed = []; // no label over another
+  for (const i of visible(at, zoom, 40)) {
     const x = zoom.toX(at[2 * i]) + radius + 4;
     const y = zoom.toY(at[2 * i + 1]) - 8;
+    const width = 8 * String(i).length + 10;
+    if (placed.some((p) => Math.abs(p.y - y) < 22 && x < p.x + p.width && p.x < x + width)) continue;
+    placed.push({x, y, width});
     c.strokeStyle = ground;
     c.lineWidth = 3;
     c.strokeText(String(i), x, y);

@@ -16,8 +16,8 @@
 #include "matrix.hpp"
 #include "page.hpp"
 #include "sailmap/error.hpp"
-#include "sailmap/map_store.hpp"
 #include "sailmap/file.hpp"
+#include "sailmap/map_store.hpp"
 
 namespace sailmap {
 namespace report {
@@ -154,6 +154,11 @@ ordered_json build(const TopologicalMap& map, const std::string& frontend, const
       return std::nullopt;
     }
   });
+  if (similarities.unknown > 0) {
+    problems.add(
+        fmt::format("{} of the {} rows of the similarity matrix are empty: their images could not be read.",
+                    similarities.unknown, similarities.rows.size()));
+  }
   data["matrix"] = matrix_of(similarities, options.truth.value_or(GroundTruth{}));
   const double comparing_seconds = comparing.seconds() - looker.times().total();
   const auto compared = std::ranges::count_if(similarities.scores.samples(), [](float s) { return s == s; });

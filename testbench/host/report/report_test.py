@@ -130,7 +130,7 @@ class ReportPage(ReportCase):
         self.fails("report", "a.map", "-o", "no/such/r.html", says="no/such/r.html")
         self.fails("report", "a.map", "-o", "r.html", "--poses", "few.csv", says="36")
         self.fails("report", "a.map", "-o", "r.html", "--image", "99", says="99")
-        self.fails("report", "images/0.png", "-o", "r.html", says="images/0.png")
+        self.fails("report", "truth.txt", "-o", "r.html", says="truth.txt")
 
 
 @needs_browser
@@ -150,6 +150,7 @@ class ReportInBrowser(ReportCase):
         self.assertGreater(len(rows), 5)
         for row in (rows[3], rows[1]):
             wanted = row.find_element(By.CSS_SELECTOR, ".who").text.split("\n")[0]
+            browser.execute_script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", row)
             row.click()
             image, place = wanted.replace("image ", "").split(" → ")
             self.assertTrue(self.pair_title(browser).startswith(f"Image {image} → image {place}"))
@@ -199,7 +200,8 @@ class ReportInBrowser(ReportCase):
             browser = self.browser(width=width, height=740)
             self.open(browser)
             size = browser.execute_script("return [document.documentElement.scrollWidth, innerWidth]")
-            self.assertEqual(size, [width, width])
+            self.assertLessEqual(size[0], size[1])
+            self.assertEqual(size[1], width)
 
     def test_names_are_text(self):
         nasty = "<img src=x onerror=alert(1)>&amp;</script><script>alert(2)<!--.png"
