@@ -23,7 +23,7 @@ double now() {
 
 struct MapWriter::State {
   explicit State(std::filesystem::path file) : path(std::move(file)), lock(path) {
-    if (is_there(path) && !is_database(path)) migrate_json();
+    if (is_json(path)) migrate_json();
     connection = connect_to_write(path);
     is_new = is_blank(*connection);
     if (!is_new) check_schema(*connection);
