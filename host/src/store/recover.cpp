@@ -82,7 +82,8 @@ template <class Row>
 class Salvage {
  public:
   // `most`: no number is higher.
-  Salvage(SQLite::Database& database, int most) : database_(database) {
+  Salvage(SQLite::Database& database, int most)
+      : statement_(database, select_statement<Row>("WHERE id >= ? ORDER BY id")) {
     // A page holds no more than 2048 rows: after very many failures nothing follows that could be read.
     constexpr int most_failures = 1 << 17;
     int next = 0;
@@ -100,11 +101,11 @@ class Salvage {
   // last that was tried.
   bool read_on_from(int& next) {
     try {
-      SQLite::Statement statement(database_, select_statement<Row>("WHERE id >= ? ORDER BY id"));
-      statement.bind(1, next);
-      while (statement.executeStep()) {
-        next = std::max(next, statement.getColumn(0).getInt());
-        keep(statement);
+      statement_.tryReset();
+      statement_.bind(1, next);
+      while (statement_.executeStep()) {
+        next = std::max(next, statement_.getColumn(0).getInt());
+        keep();
         ++next;
       }
       return true;
@@ -112,9 +113,9 @@ class Salvage {
       return false;
     }
   }
-  void keep(SQLite::Statement& statement) {
+  void keep() {
     try {
-      Row row = read_row<Row>(statement);
+      Row row = read_row<Row>(statement_);
       const int id = row.id;
       rows_.emplace(id, std::move(row));
     } catch (const Error&) {
@@ -122,7 +123,7 @@ class Salvage {
     }
   }
 
-  SQLite::Database& database_;
+  SQLite::Statement statement_;
   std::map<int, Row> rows_;
   int damaged_ = 0;
 };

@@ -146,7 +146,7 @@ class KillTest : public ::testing::Test {
     ASSERT_EQ(told.last(), after.images) << when;
   }
 
-  testing::TemporaryFolder folder_;
+  testing::TemporaryFolder folder_{testing::memory_folder()};
   fs::path path_ = folder_.path() / "map.sailmap";
 };
 

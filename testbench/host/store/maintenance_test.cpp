@@ -45,7 +45,7 @@ class MaintenanceTest : public ::testing::Test {
     run(path_, places);
   }
 
-  testing::TemporaryFolder folder_;
+  testing::TemporaryFolder folder_{testing::memory_folder()};
   fs::path path_ = folder_.path() / "map.sailmap";
   fs::path out_ = folder_.path() / "out.sailmap";
 };
