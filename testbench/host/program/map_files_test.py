@@ -8,7 +8,8 @@ import shutil
 import subprocess
 import unittest
 
-from program_case import SAILMAP, ProgramCase
+import cv2
+from program_case import SAILMAP, ProgramCase, scene
 
 LAPS = [0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5]
 
@@ -139,6 +140,32 @@ class Disks(ProgramCase):
 
 
 class Sources(ProgramCase):
+    def test_a_video_that_was_cut_off(self):
+        video = cv2.VideoWriter(str(self.folder / "v.avi"), cv2.VideoWriter_fourcc(*"MJPG"), 10, (160, 120))
+        for place in range(40):
+            video.write(scene(place))
+        video.release()
+        self.run_program("run", "v.avi", "--map", "whole.map")
+        self.assertEqual(self.errors, "")
+        whole = (self.folder / "v.avi").read_bytes()
+        (self.folder / "v.avi").write_bytes(whole[: len(whole) * 6 // 10])
+        self.run_program("run", "v.avi", "--map", "m.map")
+        self.assertRegex(self.errors, r"^sailmap: warning: v.avi: ends after \d+ frames, its header says 40\n$")
+        images = json.loads(self.run_program("map", "check", "m.map", "--json"))["images"]
+        self.assertTrue(10 < images < 40, images)
+
+    def test_a_polite_end(self):
+        self.write_sequence([i % 100 for i in range(300)])
+        with subprocess.Popen([SAILMAP, "run", "images", "--map", "m.map"], cwd=self.folder, stdout=subprocess.PIPE,
+                              text=True) as running:
+            running.stdout.readline()
+            running.terminate()
+            rest = running.communicate(timeout=60)[0]
+        self.assertEqual(running.returncode, 0)
+        images = json.loads(self.run_program("map", "check", "m.map", "--json"))["images"]
+        self.assertIn(f"m.map: {images} images", rest)
+        self.assertEqual([p.name for p in self.folder.glob("m.map*")], ["m.map"])
+
     def test_images_that_vanish_during_a_run(self):
         (self.folder / "list.txt").write_text("".join(f"images/{i}.png\n" for i in range(300)))
         self.write_sequence([i % 100 for i in range(300)])
