@@ -54,15 +54,6 @@ SAILMAP_MEMORY uint32_t KeptMaps<Config>::mantissas[geometry::feature_maps];
 template <class Config>
 SAILMAP_MEMORY uint32_t KeptMaps<Config>::shifts[geometry::feature_maps];
 
-// The sums over one region of the ten feature maps, then C_I, C_C and C_O.
-constexpr int region_sums = geometry::feature_maps + geometry::conspicuity_maps;
-template <class Config>
-struct RegionSums {
-  static uint32_t sums[region_sums];
-};
-template <class Config>
-SAILMAP_MEMORY uint32_t RegionSums<Config>::sums[region_sums];
-
 // Count sums, one scalar each.
 template <int Count>
 struct LaneSums {
@@ -78,9 +69,11 @@ struct LaneSums {
     sum += lane<0>(word);
     rest.add(static_cast<Word>(word >> lane_bits));
   }
-  void store(uint32_t* to) const {
-    *to = sum;
-    rest.store(to + 1);
+  // The first of them; the others move up, `next` behind the last.
+  uint32_t shift(uint32_t next) {
+    const uint32_t first = sum;
+    sum = rest.shift(next);
+    return first;
   }
 };
 template <>
@@ -88,7 +81,34 @@ struct LaneSums<0> {
   void clear() {}
   template <class Word>
   void add(Word /*word*/) {}
-  void store(uint32_t* /*to*/) const {}
+  uint32_t shift(uint32_t next) { return next; }
+};
+
+// The sums over one region of all maps, registers.
+struct RegionSums {
+  LaneSums<2> intensity;
+  LaneSums<4> colours;
+  LaneSums<4> orientations;
+  LaneSums<2> conspicuity_low;
+  LaneSums<1> conspicuity_high;
+
+  void clear() {
+    intensity.clear();
+    colours.clear();
+    orientations.clear();
+    conspicuity_low.clear();
+    conspicuity_high.clear();
+  }
+  // Of the ten feature maps in their order, one a call.
+  uint32_t next_feature() { return intensity.shift(colours.shift(orientations.shift(0))); }
+  // The divisor of entry i.
+  uint32_t divisor(int i) const {
+    return i < geometry::intensity_maps
+               ? entry_divisor<formats::intensity_conspicuity_region_sum>(conspicuity_low.sum)
+           : i < geometry::intensity_maps + geometry::colour_maps
+               ? entry_divisor<formats::colour_conspicuity_region_sum>(conspicuity_low.rest.sum)
+               : entry_divisor<formats::orientation_conspicuity_region_sum>(conspicuity_high.sum);
+  }
 };
 
 // The gains of the feature maps from their statistics.
@@ -159,21 +179,12 @@ inline void keep_saliency(stream<uint64_t>& conspicuity_maps, stream<uint16_t>& 
 
 // The sums over the region at (x, y).
 template <class Config>
-inline void sum_region(int x, int y, int side, int w, int h) {
+inline void sum_region(int x, int y, int side, int w, int h, RegionSums& sums) {
   using Kept = KeptMaps<Config>;
   const int x0 = box_start(x, side);
   const int x1 = box_end(x, side, w);
   const int y1 = box_end(y, side, h);
-  LaneSums<2> intensity = LaneSums<2>();
-  LaneSums<4> colours = LaneSums<4>();
-  LaneSums<4> orientations = LaneSums<4>();
-  LaneSums<2> low = LaneSums<2>();
-  LaneSums<1> high = LaneSums<1>();
-  intensity.clear();
-  colours.clear();
-  orientations.clear();
-  low.clear();
-  high.clear();
+  sums.clear();
 #pragma nounroll
   for (int row = box_start(y, side); row < y1; ++row) {
     const int start = row * w;
@@ -181,40 +192,24 @@ inline void sum_region(int x, int y, int side, int w, int h) {
     for (int column = x0; column < x1; ++column) {
       SAILMAP_PIPELINE
       const int at = start + column;
-      intensity.add(Kept::intensity[at]);
-      colours.add(Kept::colours[at]);
-      orientations.add(Kept::orientations[at]);
-      low.add(Kept::conspicuity_low[at]);
-      high.add(Kept::conspicuity_high[at]);
+      sums.intensity.add(Kept::intensity[at]);
+      sums.colours.add(Kept::colours[at]);
+      sums.orientations.add(Kept::orientations[at]);
+      sums.conspicuity_low.add(Kept::conspicuity_low[at]);
+      sums.conspicuity_high.add(Kept::conspicuity_high[at]);
     }
   }
-  uint32_t* sums = RegionSums<Config>::sums;
-  intensity.store(sums);
-  colours.store(sums + geometry::intensity_maps);
-  orientations.store(sums + geometry::intensity_maps + geometry::colour_maps);
-  low.store(sums + geometry::feature_maps);
-  high.store(sums + geometry::feature_maps + 2);
 }
 
-// The divisor of entry i.
+// Ten words, of the region of these sums, which are used up.
 template <class Config>
-inline uint32_t divisor_of_entry(int i) {
-  const uint32_t* sums = RegionSums<Config>::sums + geometry::feature_maps;
-  return i < geometry::intensity_maps ? entry_divisor<formats::intensity_conspicuity_region_sum>(sums[0])
-         : i < geometry::intensity_maps + geometry::colour_maps
-             ? entry_divisor<formats::colour_conspicuity_region_sum>(sums[1])
-             : entry_divisor<formats::orientation_conspicuity_region_sum>(sums[2]);
-}
-
-// Ten words, of the region whose sums are there.
-template <class Config>
-inline void write_entries(stream<uint32_t>& record) {
+inline void write_entries(RegionSums& sums, stream<uint32_t>& record) {
   using Kept = KeptMaps<Config>;
 #pragma nounroll
   for (int i = 0; i < geometry::feature_maps; ++i) {
     const Gain gain = {Kept::mantissas[i], static_cast<int>(Kept::shifts[i])};
-    const uint64_t normalised = normalised_region_sum(RegionSums<Config>::sums[i], gain);
-    record.write(descriptor_entry(normalised, divisor_of_entry<Config>(i)));
+    const uint64_t normalised = normalised_region_sum(sums.next_feature(), gain);
+    record.write(descriptor_entry(normalised, sums.divisor(i)));
   }
 }
 
@@ -255,10 +250,11 @@ void signature(stream<uint32_t>& intensity_maps, stream<uint64_t>& colour_maps,
     const uint32_t place = Found::places[r];
     const int x = signature_record::low_of(place);
     const int y = signature_record::high_of(place);
-    sum_region<Config>(x, y, side, w, h);
+    RegionSums sums = RegionSums();
+    sum_region<Config>(x, y, side, w, h, sums);
     record.write(place * geometry::base_scale);
     record.write(Found::values[r]);
-    write_entries<Config>(record);
+    write_entries<Config>(sums, record);
   }
 #pragma nounroll
   for (int i = count * signature_record::region_words;
