@@ -1,4 +1,4 @@
-// The map file: saving and loading maps of 1000 and 10 000 nodes of twenty regions. Counter `bytes_per_node`:
+// The map file: saving and loading maps of 1000, 10 000 and 100 000 nodes of twenty regions. Counter `bytes_per_node`:
 // of the file.
 #include <benchmark/benchmark.h>
 
@@ -40,17 +40,17 @@ struct Folder {
 
 void save(benchmark::State& state) {
   const Folder folder;
-  const auto store = open_map_store(folder.path / "map.json");
+  const auto store = open_map_store(folder.path / "map.sailmap");
   const TopologicalMap map = way(static_cast<int>(state.range(0)));
   for ([[maybe_unused]] auto _ : state) store->save(map, "fixed");
   state.counters["bytes_per_node"] =
-      static_cast<double>(std::filesystem::file_size(folder.path / "map.json")) /
+      static_cast<double>(std::filesystem::file_size(folder.path / "map.sailmap")) /
       static_cast<double>(state.range(0));
 }
 
 void load(benchmark::State& state) {
   const Folder folder;
-  const auto store = open_map_store(folder.path / "map.json");
+  const auto store = open_map_store(folder.path / "map.sailmap");
   store->save(way(static_cast<int>(state.range(0))), "fixed");
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(store->load());
 }
@@ -58,7 +58,7 @@ void load(benchmark::State& state) {
 }  // namespace
 
 void register_map() {
-  for (const int nodes : {1000, 10000}) {
+  for (const int nodes : {1000, 10000, 100000}) {
     benchmark::RegisterBenchmark("map/save", save)->Arg(nodes)->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark("map/load", load)->Arg(nodes)->Unit(benchmark::kMillisecond);
   }
