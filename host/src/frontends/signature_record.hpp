@@ -18,8 +18,8 @@ struct ChipParameters {
 // Throws Error when the hardware makes no signatures so configured (check_chip_regions).
 ChipParameters chip_parameters(const RegionConfig& config);
 
-// Of a frame of that size. Throws Error when the record is none: another length, mark, version or frame size,
-// too many regions, a region outside the frame.
-Signature signature_of_record(std::span<const std::uint32_t> record, int width, int height);
+// Of the words of a record of a frame of that size. Throws Error when they are none: another length, mark,
+// version or frame size, too many regions, a region outside the frame.
+Signature signature_of_record(std::span<const std::uint32_t> words, int width, int height);
 
 }  // namespace sailmap

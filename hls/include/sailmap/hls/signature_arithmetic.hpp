@@ -40,8 +40,8 @@ constexpr std::uint32_t entry_divisor(std::uint32_t sum) {
 constexpr int entry_turns = formats::descriptor_entry::word;
 constexpr std::uint32_t descriptor_entry(std::uint64_t normalised, std::uint32_t divisor) {
   const std::uint64_t dividend = normalised + divisor / 2;
-  std::uint32_t rest = static_cast<std::uint32_t>(dividend >> entry_turns);
-  std::uint32_t bits = static_cast<std::uint32_t>(dividend & ((std::uint64_t{1} << entry_turns) - 1));
+  auto rest = static_cast<std::uint32_t>(dividend >> entry_turns);
+  auto bits = static_cast<std::uint32_t>(dividend & ((std::uint64_t{1} << entry_turns) - 1));
   std::uint32_t quotient = 0;
 #pragma nounroll
   for (int i = 0; i < entry_turns; ++i) {
