@@ -39,8 +39,8 @@ constexpr const char* reading = R"(
   not, and no finite word would do: eq. 1 divides by sqrt(m), and a peak within rounding of half the maximum, or of its
   neighbour, counts or does not. The second paragraph of each sequence puts that in proportion: the exact model against itself
   when every channel of every pixel changes by at most one grey level.
-- **Signature on the chip.** Regions and saliency are exact. For *every* image an entry of a descriptor is within @ds@ of itself and
-  @db@ of eq. 3-4 in real numbers on the same maps.
+- **Signature on the chip.** Regions and saliency are exact. For *every* image an entry of a descriptor is off eq. 3-4 in real numbers, on
+  the same maps, by at most @ds@ of its value and @db@ more.
 - **Regions.** What place recognition sees is the regions: their agreement is above.
 - **Overflow.** None is possible (`hls/ranges.hpp`), and the quantised reference throws if one happened.
 )";
