@@ -13,6 +13,9 @@ namespace sailmap::store {
 
 using Connection = std::unique_ptr<SQLite::Database>;
 
+// A place of the method context takes 7.6 kB: on pages of this size, bytes, it lies in one piece.
+inline constexpr int page_size = 16384;
+
 // The fault in plain words, one line, without the name of the file.
 std::string explain(const SQLite::Exception& fault);
 
@@ -28,8 +31,8 @@ auto with_file(const std::filesystem::path& path, const Work& work) {
   }
 }
 
-// Whether the file begins as an SQLite database does.
-bool is_database(const std::filesystem::path& path);
+// Whether the file begins as a JSON document does: a map of version 1.
+bool is_json(const std::filesystem::path& path);
 
 // Whether there is a file with something in it.
 bool is_there(const std::filesystem::path& path);

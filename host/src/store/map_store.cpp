@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "connection.hpp"
+#include "io/file_reading.hpp"
 #include "json_map.hpp"
 #include "read_map.hpp"
 #include "replace_file.hpp"
@@ -15,6 +16,12 @@ namespace sailmap {
 using namespace store;
 
 namespace {
+
+bool is_version_1(const std::filesystem::path& path) {
+  static_cast<void>(
+      io::open_for_reading(path));  // says what is wrong with a path that SQLite only cannot open
+  return is_json(path);
+}
 
 // Calls `use` with an open map file of our schema inside one transaction, so that all it reads is of one
 // moment.
@@ -46,7 +53,7 @@ void for_each_view(const TopologicalMap& map, const std::function<void(StoredIma
 bool MapStore::exists() const { return is_there(path_); }
 
 StoredMap MapStore::load() const {
-  if (!is_database(path_)) return read_json_map(path_);
+  if (is_version_1(path_)) return read_json_map(path_);
   return reading(path_, [](SQLite::Database& database) { return read_map(database); });
 }
 
@@ -58,7 +65,7 @@ void MapStore::save(const TopologicalMap& map, const std::string& frontend) cons
 }
 
 std::vector<unsigned char> MapStore::thumbnail(int image) const {
-  if (!is_database(path_)) return {};
+  if (is_version_1(path_)) return {};
   return reading(path_, [&](SQLite::Database& database) {
     SQLite::Statement statement(database, select_statement<ThumbnailRow>("WHERE id = ?"));
     statement.bind(1, image);
@@ -68,7 +75,7 @@ std::vector<unsigned char> MapStore::thumbnail(int image) const {
 
 std::vector<Session> MapStore::sessions() const {
   std::vector<Session> sessions;
-  if (!is_database(path_)) {
+  if (is_version_1(path_)) {
     const TopologicalMap map = load().map;
     for (const int first : map.sessions()) sessions.push_back({"", 0, first, map.images() - first, 0, 0});
     return sessions;
@@ -83,7 +90,7 @@ std::vector<Session> MapStore::sessions() const {
 }
 
 void MapStore::for_each_image(const std::function<void(StoredImage)>& use) const {
-  if (!is_database(path_)) return for_each_view(load().map, use);
+  if (is_version_1(path_)) return for_each_view(load().map, use);
   reading(path_, [&](SQLite::Database& database) {
     SQLite::Statement signature(database, select_statement<SignatureRow>("WHERE id = ?"));
     for_each_row<ImageRow>(database, [&](ImageRow row) {

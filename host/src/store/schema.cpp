@@ -58,7 +58,7 @@ bool is_blank(SQLite::Database& database) {
 }
 
 void check_schema(SQLite::Database& database) {
-  if (is_blank(database)) throw Error("not a sailmap map: it is empty");
+  if (is_blank(database)) throw Error("not a sailmap map, or a damaged one: it is empty");
   if (number(database, "application_id") != application_id) throw Error("not a sailmap map");
   const int version = number(database, "user_version");
   if (version != schema_version) {

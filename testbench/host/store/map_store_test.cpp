@@ -35,7 +35,7 @@ class MapStoreTest : public ::testing::Test {
     return names;
   }
 
-  testing::TemporaryFolder folder_;
+  testing::TemporaryFolder folder_{testing::memory_folder()};
   fs::path path_ = folder_.path() / "map.sailmap";
 };
 

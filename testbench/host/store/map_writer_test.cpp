@@ -40,7 +40,7 @@ class MapWriterTest : public ::testing::Test {
     writer.finish();
   }
 
-  testing::TemporaryFolder folder_;
+  testing::TemporaryFolder folder_{testing::memory_folder()};
   fs::path path_ = folder_.path() / "map.sailmap";
 };
 
