@@ -27,63 +27,110 @@ export function loopJoints(store) {
   return [...joined.values()].sort((a, b) => a.best - b.best);
 }
 
-// Points thinned to one a cell of `cell` pixels, of those on the canvas: their numbers.
-export function visible(at, zoom, cell) {
-  const width = zoom.canvas.clientWidth;
-  const height = zoom.canvas.clientHeight;
-  const taken = new Set();
-  const out = [];
-  for (let i = 0; i < at.length / 2; ++i) {
-    const x = zoom.toX(at[2 * i]);
-    const y = zoom.toY(at[2 * i + 1]);
-    if (x < -20 || y < -20 || x > width + 20 || y > height + 20) continue;
-    const key = Math.floor(x / cell) * 100003 + Math.floor(y / cell);
-    if (taken.has(key)) continue;
-    taken.add(key);
-    out.push(i);
+// The nodes on the canvas, and the length of a usual way between two, all in pixels.
+class Projection {
+  constructor(zoom, at, paths) {
+    this.width = zoom.canvas.clientWidth;
+    this.height = zoom.canvas.clientHeight;
+    this.count = at.length / 2;
+    this.x = new Float32Array(this.count);
+    this.y = new Float32Array(this.count);
+    for (let i = 0; i < this.count; ++i) {
+      this.x[i] = zoom.toX(at[2 * i]);
+      this.y[i] = zoom.toY(at[2 * i + 1]);
+    }
+    this.way = this.usualWay(paths);
   }
-  return out;
+
+  // The median of some.
+  usualWay(paths) {
+    const lengths = [];
+    const step = 2 * Math.max(1, Math.floor(paths.length / 400));
+    for (let i = 0; i + 1 < paths.length; i += step) {
+      lengths.push(Math.hypot(this.x[paths[i]] - this.x[paths[i + 1]], this.y[paths[i]] - this.y[paths[i + 1]]));
+    }
+    lengths.sort((a, b) => a - b);
+    return lengths.length ? lengths[lengths.length >> 1] : 60;
+  }
+
+  // Nodes in sight, thinned to one a cell of so many pixels.
+  visible(cell) {
+    const taken = new Set();
+    const out = [];
+    for (let i = 0; i < this.count; ++i) {
+      const x = this.x[i];
+      const y = this.y[i];
+      if (x < -20 || y < -20 || x > this.width + 20 || y > this.height + 20) continue;
+      const key = Math.floor(x / cell) * 100003 + Math.floor(y / cell);
+      if (taken.has(key)) continue;
+      taken.add(key);
+      out.push(i);
+    }
+    return out;
+  }
+
+  // Whether a line from a to b may cross the canvas.
+  mayCross(a, b) {
+    const [x, y, room] = [this.x, this.y, 10];
+    return !(
+      (x[a] < -room && x[b] < -room) || (y[a] < -room && y[b] < -room) ||
+      (x[a] > this.width + room && x[b] > this.width + room) ||
+      (y[a] > this.height + room && y[b] > this.height + room));
+  }
+
+  line(c, a, b) {
+    if (!this.mayCross(a, b)) return;
+    c.moveTo(this.x[a], this.y[a]);
+    c.lineTo(this.x[b], this.y[b]);
+  }
 }
 
-function strokeEdges(c, zoom, at, pairs) {
+function strokePaths(c, nodes, pairs) {
   c.beginPath();
-  for (let i = 0; i < pairs.length; i += 2) {
-    const a = 2 * pairs[i];
-    const b = 2 * pairs[i + 1];
-    c.moveTo(zoom.toX(at[a]), zoom.toY(at[a + 1]));
-    c.lineTo(zoom.toX(at[b]), zoom.toY(at[b + 1]));
-  }
+  for (let i = 0; i < pairs.length; i += 2) nodes.line(c, pairs[i], pairs[i + 1]);
   c.stroke();
 }
 
-// Loops in steps of colour, each one path: thousands of single strokes would be slow.
-function strokeLoops(c, zoom, at, joints, scale, width) {
-  const steps = new Map();
-  for (const joint of joints) {
-    const step = Math.round(scale.part(joint.best) * colour_steps);
-    if (!steps.has(step)) steps.set(step, []);
-    steps.get(step).push(joint);
-  }
-  for (const [step, list] of [...steps].sort((a, b) => a[0] - b[0])) {
+// Loops in steps of colour, each one path: thousands of single strokes would be slow. Weak ones first.
+function strokeLoops(c, nodes, joints, scale, width) {
+  const steps = Array.from({length: colour_steps + 1}, () => []);
+  for (const joint of joints) steps[Math.round(scale.part(joint.best) * colour_steps)].push(joint);
+  c.lineWidth = width;
+  steps.forEach((list, step) => {
+    if (list.length === 0) return;
     c.strokeStyle = scale.colour(scale.low + (step / colour_steps) * (scale.high - scale.low));
-    c.lineWidth = width;
-    strokeEdges(c, zoom, at, list.flatMap(({from, to}) => (from === to ? [] : [from, to])));
+    c.beginPath();
     for (const {from, to} of list) {
-      if (from !== to) continue;
+      if (from !== to) nodes.line(c, from, to);
+      else if (nodes.mayCross(from, to)) {
+        c.moveTo(nodes.x[to] + 2.5 * width, nodes.y[to]);
+        c.arc(nodes.x[to], nodes.y[to], 2.5 * width, 0, 7);
+      }
+    }
+    c.stroke();
+  });
+}
+
+function drawDots(c, nodes, radius) {
+  c.fillStyle = node_colour;
+  for (const i of nodes.visible(Math.max(2, radius))) {
+    const [x, y] = [nodes.x[i], nodes.y[i]];
+    if (radius < 1.6) c.fillRect(x - radius / 2, y - radius / 2, radius, radius);
+    else {
       c.beginPath();
-      c.arc(zoom.toX(at[2 * to]), zoom.toY(at[2 * to + 1]), 2.5 * width, 0, 7);
-      c.stroke();
+      c.arc(x, y, radius, 0, 7);
+      c.fill();
     }
   }
 }
 
-function drawLabels(c, zoom, at, radius) {
+function drawLabels(c, nodes, radius) {
   c.font = "11px system-ui, sans-serif";
   c.textBaseline = "middle";
   const placed = []; // no label over another
-  for (const i of visible(at, zoom, 40)) {
-    const x = zoom.toX(at[2 * i]) + radius + 4;
-    const y = zoom.toY(at[2 * i + 1]) - 8;
+  for (const i of nodes.visible(40)) {
+    const x = nodes.x[i] + radius + 4;
+    const y = nodes.y[i] - 8;
     const width = 8 * String(i).length + 10;
     if (placed.some((p) => Math.abs(p.y - y) < 22 && x < p.x + p.width && p.x < x + width)) continue;
     placed.push({x, y, width});
@@ -110,45 +157,34 @@ export function drawGraph(zoom, picture) {
   c.fillStyle = ground;
   c.fillRect(0, 0, width, height);
   if (at.length === 0) return;
-  c.lineCap = "round";
-  const crowd = Math.sqrt((width * height) / Math.max(1, at.length / 2)); // pixels a node has at the whole map
-  const size = crowd * (zoom.scale / zoom.fitScale());
-  const radius = Math.min(6.5, Math.max(1.1, size / 9));
+  const nodes = new Projection(zoom, at, graph.paths);
+  const radius = Math.min(6.5, Math.max(1.1, nodes.way / 5));
+  c.lineCap = radius > 2 ? "round" : "butt";
   c.strokeStyle = path_colour;
   c.lineWidth = Math.min(5, Math.max(0.8, radius * 0.9));
-  strokeEdges(c, zoom, at, graph.paths);
-  strokeLoops(c, zoom, at, joints, scale, Math.min(3, Math.max(1.2, radius * 0.55)));
-  c.fillStyle = node_colour;
-  for (const i of visible(at, zoom, Math.max(2, radius))) {
-    const x = zoom.toX(at[2 * i]);
-    const y = zoom.toY(at[2 * i + 1]);
-    if (radius < 1.6) c.fillRect(x - radius / 2, y - radius / 2, radius, radius);
-    else {
-      c.beginPath();
-      c.arc(x, y, radius, 0, 7);
-      c.fill();
-    }
+  strokePaths(c, nodes, graph.paths);
+  strokeLoops(c, nodes, joints, scale, Math.min(3, Math.max(1.2, radius * 0.55)));
+  drawDots(c, nodes, radius);
+  drawLabels(c, nodes, radius);
+  if (graph.active >= 0 && graph.active < nodes.count) {
+    ring(c, nodes.x[graph.active], nodes.y[graph.active], radius + 3.5, "#ffffff", 1.6);
   }
-  drawLabels(c, zoom, at, radius);
-  if (graph.active >= 0 && 2 * graph.active < at.length) {
-    ring(c, zoom.toX(at[2 * graph.active]), zoom.toY(at[2 * graph.active + 1]), radius + 3.5, "#ffffff", 1.6);
-  }
-  drawSelection(c, zoom, picture, radius);
+  drawSelection(c, nodes, picture, radius);
 }
 
-function drawSelection(c, zoom, {at, selected, node, scale}, radius) {
+function drawSelection(c, nodes, {selected, node, scale}, radius) {
   if (selected) {
     for (const [colour, width] of [["#ffffff", 8], [scale.colour(selected.best), 4]]) {
       c.strokeStyle = colour;
       c.lineWidth = width;
-      strokeEdges(c, zoom, at, [selected.from, selected.to]);
+      strokePaths(c, nodes, [selected.from, selected.to]);
     }
   }
   const rings = selected ? [selected.from, selected.to] : [];
   if (node !== null) rings.push(node);
   for (const i of rings) {
-    ring(c, zoom.toX(at[2 * i]), zoom.toY(at[2 * i + 1]), radius + 6, ground, 5);
-    ring(c, zoom.toX(at[2 * i]), zoom.toY(at[2 * i + 1]), radius + 6, "#ffffff", 2.5);
+    ring(c, nodes.x[i], nodes.y[i], radius + 6, ground, 5);
+    ring(c, nodes.x[i], nodes.y[i], radius + 6, "#ffffff", 2.5);
   }
 }
 

@@ -136,7 +136,7 @@ export class LoopList {
     },
     tick,
     el("span", {class: "who"}, `${this.store.label(loop.image)} → ${this.store.label(loop.place).replace(/^image /, "")}`,
-      el("small", {}, this.store.file(loop.image))),
+      el("small", {}, this.store.file(loop.image).split("/").pop())),
     el("span", {class: "score"}, score(loop.score)),
     el("span", {
       class: loop.right === false ? "mark wrong" : "mark",

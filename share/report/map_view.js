@@ -74,6 +74,7 @@ export class MapView {
   refresh() {
     const {graph} = this.store.data;
     this.joints = loopJoints(this.store);
+    this.jointOfLoop = new Map(this.joints.flatMap((joint) => joint.loops.map((loop) => [loop, joint])));
     this.canvas.setAttribute(
       "aria-label",
       `Topological map: ${count(graph.nodes, "place")}, ${count(this.store.loopCount, "loop closure")}`);
@@ -115,7 +116,7 @@ export class MapView {
   }
 
   jointOf(loop) {
-    return loop === null ? null : this.joints.find((joint) => joint.loops.includes(loop)) ?? null;
+    return loop === null ? null : this.jointOfLoop.get(loop) ?? null;
   }
 
   tap(x, y) {

@@ -64,6 +64,7 @@ export function showSections() {
 export function showFoot(data) {
   const method = data.method ? `, method ${data.method}` : "";
   document.getElementById("foot").replaceChildren(
-    el("p", {}, data.made ? `Made ${data.made} by sailmap${method}. ` : "",
-      "Scores are coloured by the viridis scale. This page needs no network."));
+    el("p", {}, data.kind === "live" ? "Served by sailmap run --view. " : `Made ${data.made} by sailmap${method}. `,
+      "Scores are coloured by the viridis scale. ",
+      data.kind === "live" ? "" : "This page needs no network."));
 }
