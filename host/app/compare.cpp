@@ -200,10 +200,8 @@ void add_compare(CLI::App& app) {
   options->tested = "quantised";
   command->get_option("--frontend")->default_str(options->tested);
   options->expected = "reference";
-  command->add_option("--against", options->expected, "What it is held against")
-      ->check(CLI::IsMember(frontend_names()).description(""))
-      ->capture_default_str()
-      ->type_name("NAME");
+  one_of(command->add_option("--against", options->expected, "What it is held against"), frontend_names())
+      ->capture_default_str();
   command
       ->add_option("--out", options->out,
                    "Folder for compare.json and worst.png, the error maps of the worst image")

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/figures.hpp"
@@ -71,12 +72,9 @@ void add_perturb(CLI::App& app) {
       ->add_option("SOURCE", options->source, "Folder of images, glob in quotes, list file (.txt) or image")
       ->required();
   command->add_option("--out", options->out, "Folder for the copies, PNG")->required()->type_name("DIR");
-  std::vector<std::string> kinds;
-  for (const std::string_view kind : perturbation_names()) kinds.emplace_back(kind);
-  command->add_option("--kind", options->kind, "What happens to them")
-      ->required()
-      ->check(CLI::IsMember(kinds).description(""))
-      ->type_name(fmt::format("{}", fmt::join(kinds, "|")));
+  one_of(command->add_option("--kind", options->kind, "What happens to them"),
+         to_strings(perturbation_names()))
+      ->required();
   command->add_option("--strength", options->strength, strengths())->required()->type_name("X");
   command->add_option("--seed", options->seed, "Decides noise and where the occlusion is")
       ->capture_default_str();
