@@ -20,7 +20,7 @@ bool begins_with_any(const std::string& text, std::initializer_list<const char*>
 
 // Texts are names of files throughout, unless they are choices.
 ValueKind kind_of(const CLI::Option& option, const std::string& type) {
-  if (option.get_type_size() == 0) return ValueKind::none;
+  if (option.get_expected_min() == 0) return ValueKind::none;
   if (names_choices(type)) return ValueKind::choice;
   if (type == "DIR") return ValueKind::folder;
   return begins_with_any(type, {"FILE", "OUT", "CONFIG", "TEXT"}) ? ValueKind::file : ValueKind::other;
@@ -47,18 +47,25 @@ Argument argument_of(const CLI::Option& option) {
   return out;
 }
 
+// Positionals, then groups as they first occur.
+void sort_as_help(std::vector<Argument>& arguments) {
+  std::vector<std::string> groups;
+  for (const Argument& argument : arguments) groups.push_back(argument.group);
+  std::ranges::stable_sort(arguments, {}, [&groups](const Argument& argument) {
+    return argument.positional ? -1 : std::ranges::find(groups, argument.group) - groups.begin();
+  });
+}
+
 Command command_of(const CLI::App& app, std::vector<std::string> path) {
   Command out;
   path.push_back(app.get_name());
   out.path = path;
   out.help = app.get_description();
   out.footer = app.get_footer();
-  for (const bool positionals : {true, false}) {
-    for (const CLI::Option* option : app.get_options({})) {
-      if (option->get_positional() != positionals || option->get_group().empty()) continue;
-      out.arguments.push_back(argument_of(*option));
-    }
+  for (const CLI::Option* option : app.get_options({})) {
+    if (!option->get_group().empty()) out.arguments.push_back(argument_of(*option));
   }
+  sort_as_help(out.arguments);
   for (const CLI::App* command : app.get_subcommands({})) {
     out.commands.push_back(command_of(*command, path));
   }

@@ -47,12 +47,20 @@ std::string text_of(const Argument& argument) {
   return text;
 }
 
+std::string upper(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
 std::string arguments_of(const Command& command, const std::string& heading) {
   std::string out;
   std::string group;
   for (const Argument& argument : command.arguments) {
     const std::string title = argument.positional ? "Arguments" : argument.group;
-    if (title != group) out += fmt::format("{} \"{}\"\n", heading, roff_text(title));
+    if (title != group) {
+      // Sections are written in capitals, their parts are not.
+      out += fmt::format("{} \"{}\"\n", heading, roff_text(heading == ".SH" ? upper(title) : title));
+    }
     group = title;
     out += fmt::format(".TP\n{}\n{}\n", term_of(argument), text_of(argument));
   }
@@ -81,11 +89,9 @@ std::string phrase(std::string text) {
 }
 
 std::string head_of(const Command& command) {
-  std::string title = page_name(command.path);
-  for (char& c : title) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   std::string out =
-      fmt::format(".\\\" Made by `sailmap manual`.\n.TH \"{}\" 1 \"\" \"sailmap {}\" \"sailmap\"\n", title,
-                  SAILMAP_VERSION);
+      fmt::format(".\\\" Made by `sailmap manual`.\n.TH \"{}\" 1 \"\" \"sailmap {}\" \"sailmap\"\n",
+                  upper(page_name(command.path)), SAILMAP_VERSION);
   out += fmt::format(".SH NAME\n{} \\- {}\n", roff_text(page_name(command.path)), phrase(command.help));
   out += ".SH SYNOPSIS\n";
   std::string separator;

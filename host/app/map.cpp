@@ -40,7 +40,7 @@ void info(const std::string& path, bool json) {
                                         {"loop_edges", edges.loops},
                                         {"loops", stored.map.loops()},
                                         {"config", config}};
-    fmt::print("{}\n", out.dump());
+    print_json(out);
     return;
   }
   fmt::print(
@@ -51,7 +51,17 @@ void info(const std::string& path, bool json) {
   fmt::print("parameters {}\n", config.dump());
 }
 
-void draw(const std::string& path, const std::string& out) { write_map_plot(out, load_map(path).map, path); }
+void draw(const std::string& path, const std::string& out, bool json) {
+  const StoredMap stored = load_map(path);
+  write_map_plot(out, stored.map, path);
+  if (!json) return;
+  print_json({{"map", path},
+              {"out", out},
+              {"images", stored.map.images()},
+              {"nodes", stored.map.nodes().size()},
+              {"edges", stored.map.edges().size()},
+              {"loops", stored.map.loops()}});
+}
 
 }  // namespace
 
@@ -74,7 +84,8 @@ void add_map(CLI::App& app) {
       command->add_subcommand("draw", "Draw the map as a graph, loops coloured by similarity");
   draw_command->add_option("FILE", options->file, "The map")->required();
   draw_command->add_option("--out", options->out, "The drawing")->required()->type_name("OUT.svg");
-  draw_command->callback([options] { draw(options->file, options->out); });
+  add_json_flag(*draw_command, options->json, "Say what was drawn, as one line of JSON");
+  draw_command->callback([options] { draw(options->file, options->out, options->json); });
 }
 
 }  // namespace sailmap::app

@@ -95,8 +95,9 @@ std::vector<ParameterChange> changed_parameters(const StoredMap& a, const Stored
   of_a.update(to_json(a.map.config()));
   of_b.update(to_json(b.map.config()));
   std::vector<ParameterChange> out;
+  const ordered_json flat_a = of_a.flatten();
   const ordered_json flat_b = of_b.flatten();
-  for (const auto& [key, value] : of_a.flatten().items()) {
+  for (const auto& [key, value] : flat_a.items()) {
     if (value == flat_b.at(key)) continue;
     std::string parameter = key.substr(1);
     std::ranges::replace(parameter, '/', '.');

@@ -27,6 +27,12 @@ std::string numbers(const cv::Affine3d& pose) {
   return fmt::format("{} {} {} {} {} {} {}", t[0], t[1], t[2], q[0], q[1], q[2], q[3]);
 }
 
+// b as seen from a.
+cv::Affine3d motion_between(const cv::Affine3d& a, const cv::Affine3d& b) {
+  const cv::Matx33d back = a.rotation().t();
+  return {back * b.rotation(), back * (b.translation() - a.translation())};
+}
+
 using Step = std::pair<int, int>;  // from one node to another
 
 // The first image that arrived over an edge. A recognised image stands where its node is, so that the motion
@@ -54,8 +60,8 @@ void write_poses(const TopologicalMap& map, const std::vector<TimedPose>& poses,
   for (const Edge& edge : map.edges()) {
     const auto image = arrived.find({edge.from, edge.to});
     const cv::Affine3d motion = image == arrived.end()
-                                    ? node_pose(edge.from).inv() * node_pose(edge.to)
-                                    : pose_of(image->second - 1).inv() * pose_of(image->second);
+                                    ? motion_between(node_pose(edge.from), node_pose(edge.to))
+                                    : motion_between(pose_of(image->second - 1), pose_of(image->second));
     out << "EDGE_SE3:QUAT " << edge.from << ' ' << edge.to << ' ' << numbers(motion) << ' ' << information
         << '\n';
   }

@@ -125,7 +125,8 @@ std::vector<TimedPose> read_trajectory(const std::filesystem::path& path) {
 cv::Vec4d quaternion_of(const cv::Affine3d& pose) {
   const cv::Quatd q = cv::Quatd::createFromRotMat(pose.rotation()).normalize();
   const double sign = q.w < 0 ? -1 : 1;
-  return {sign * q.x, sign * q.y, sign * q.z, sign * q.w};
+  constexpr double zero = 0;  // added, it makes -0 a 0
+  return {sign * q.x + zero, sign * q.y + zero, sign * q.z + zero, sign * q.w + zero};
 }
 
 }  // namespace sailmap
