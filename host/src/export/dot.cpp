@@ -6,10 +6,11 @@
 namespace sailmap {
 namespace {
 
-// A string that graphviz shows as it is: backslashes are its escapes, and an ampersand may begin an entity.
+// A string that graphviz shows as it is: an ampersand may begin an entity there, and a backslash an escape;
+// not even doubled ones are safe (graphviz 2.43 finds the \N in \\N), but entities are.
 std::string shown(std::string text) {
-  boost::algorithm::replace_all(text, "\\", "\\\\");
   boost::algorithm::replace_all(text, "&", "&amp;");
+  boost::algorithm::replace_all(text, "\\", "&#92;");
   return quoted(text, "\\\"");
 }
 

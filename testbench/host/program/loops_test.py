@@ -18,7 +18,7 @@ class Loops(ProgramCase):
         for i in range(6, 12):
             noise = np.random.default_rng(i).normal(0, 2 + i - 6, (120, 160, 3))
             self.write_image(f"images/{i}.png", np.clip(scene(LAPS[i]) + noise, 0, 255).astype(np.uint8))
-        self.run_program("run", "images", "--map", "m.map", "--exclude-recent", "3", "--ambiguity-ratio", "0.6")
+        self.run_program("run", "images", "--map", "m.map", "--exclude-recent", "3", "--same-place-nodes", "1")
         whole = json.loads(self.run_program("map", "export", "m.map", "--format", "json"))
         self.images = whole["images"]
 

@@ -1,20 +1,24 @@
 """sailmap tune: the threshold it gives, held against the score matrix of sailmap eval, and written into maps."""
 
 import json
+import shutil
 import unittest
 
 import numpy as np
-from program_case import ProgramCase
+from program_case import ProgramCase, simulated
 from scipy.stats import beta
 
-SIMULATE = ["simulate", "--out", "s", "--images", "60", "--images-per-lap", "20", "--width", "160", "--height", "120"]
 TRUTH = ["--ground-truth", "s/ground_truth.txt"]
 
 
 class Tune(ProgramCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.drive = simulated(cls, "--images", "60", "--images-per-lap", "20")
+
     def setUp(self):
         super().setUp()
-        self.run_program(*SIMULATE)
+        shutil.copytree(self.drive, self.folder / "s")
         self.run_program("eval", "s/images", *TRUTH, "--exclude-recent", "5", "--json", "e.json", "--scores", "s.npy")
         self.truth = [set(map(int, line.split(":")[1].split())) for line in (self.folder / "s/ground_truth.txt").read_text().splitlines()]
 
