@@ -92,18 +92,22 @@ std::string line(const std::string& pattern, const std::string& words) {
   return words.empty() ? "" : fmt::format("    {}) echo '{}' ;;\n", pattern, words);
 }
 
-// Options of the whole program may stand behind its subcommands.
+// Options of the whole program may stand behind its subcommands, but for these.
+bool of_root_alone(const Argument& argument) {
+  return argument.names.back() == "--help" || argument.names.back() == "--version";
+}
+
 std::string options_of(const Command& command, const Command& root) {
-  std::string out;
-  for (const Command* owner : {&command, &root}) {
-    for (const Argument& argument : owner->arguments) {
-      const bool again = owner != &command && (argument.names.back() == "--help" || &command == &root);
-      const bool of_root_alone = owner != &command && argument.names.back() == "--version";
-      if (argument.positional || again || of_root_alone) continue;
-      out += fmt::format("{}{}", out.empty() ? "" : " ", fmt::join(argument.names, " "));
-    }
+  std::vector<std::string> names;
+  const auto add = [&names](const Argument& argument) {
+    if (argument.positional) return;
+    names.insert(names.end(), argument.names.begin(), argument.names.end());
+  };
+  for (const Argument& argument : command.arguments) add(argument);
+  for (const Argument& argument : root.arguments) {
+    if (&command != &root && !of_root_alone(argument)) add(argument);
   }
-  return out;
+  return fmt::format("{}", fmt::join(names, " "));
 }
 
 std::string values_of(const Command& command, const Command& root) {

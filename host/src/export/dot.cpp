@@ -6,11 +6,11 @@
 namespace sailmap {
 namespace {
 
-// A string that graphviz shows as it is: an ampersand may begin an entity there, and a backslash an escape;
-// not even doubled ones are safe (graphviz 2.43 finds the \N in \\N), but entities are.
+// A string that graphviz shows as it is: backslashes are its escapes (graphviz 2.43 resolves those of a tooltip
+// twice, so that there the name of an image with \N in it shows a number), and an ampersand may begin an entity.
 std::string shown(std::string text) {
   boost::algorithm::replace_all(text, "&", "&amp;");
-  boost::algorithm::replace_all(text, "\\", "&#92;");
+  boost::algorithm::replace_all(text, "\\", "\\\\");
   return quoted(text, "\\\"");
 }
 

@@ -1,13 +1,23 @@
 """The commands and options of the program as its help shows them: what completion and man pages must know too."""
 
+import functools
 import re
+import subprocess
+
+from program_case import SAILMAP
 
 
-def commands(run):
-    """All commands as tuples of words, () for the program itself; `run(*words)` gives its help."""
+@functools.cache
+def help_of(*path):
+    """What `sailmap PATH --help` prints."""
+    return subprocess.run([SAILMAP, *path, "--help"], capture_output=True, text=True, check=True).stdout
+
+
+def commands():
+    """All commands as tuples of words, () for the program itself."""
     found = [()]
     for path in found:
-        section = re.search(r"^Subcommands:\n((?:  .*\n|\n(?=  ))*)", run(*path, "--help"), re.M)
+        section = re.search(r"^Subcommands:\n((?:  .*\n|\n(?=  ))*)", help_of(*path), re.M)
         for line in section.group(1).splitlines() if section else []:
             if re.match(r"  \S", line):
                 found.append((*path, line.split()[0]))

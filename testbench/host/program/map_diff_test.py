@@ -35,7 +35,7 @@ class MapDiff(ProgramCase):
         # Above what identical images have, so that nothing is a loop.
         self.make("b.map", "--threshold", "1e7")
         found = self.diff("b.map")
-        self.assertEqual([(p["parameter"], p["a"], p["b"]) for p in found["parameters"]], [("detection.threshold", 3.0, 1e7), ("sparse_threshold", 3.0, 1e7)])
+        self.assertEqual([(p["parameter"], p["a"], p["b"]) for p in found["parameters"]], [("detection.threshold", 3.0, 1e7)])
         self.assertEqual([d["image"]["name"] for d in found["detections"]], [f"images/{i}.png" for i in range(6, 12)])
         first = found["detections"][0]
         self.assertEqual((first["a"]["reason"], first["b"]["reason"]), ("accepted", "below_threshold"))

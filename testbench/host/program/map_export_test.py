@@ -16,7 +16,7 @@ from program_case import ProgramCase, scene, simulated
 from scipy.spatial.transform import Rotation
 
 LAPS = [0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5]
-ODD_NAMES = ['quote".png', "<&>'.png", "a,b;c.png", "line\nend.png", "back\\slash.png", "&amp;.png", "ü🗺.png", "\\N \\G.png"]
+ODD_NAMES = ['quote".png', "<&>'.png", "a,b;c.png", "line\nend.png", "back\\slash.png", "&amp;.png", "ü🗺.png"]
 
 
 def evo_matrix(text, columns):
