@@ -20,10 +20,10 @@ bool begins_with_any(const std::string& text, std::initializer_list<const char*>
 
 // Texts are names of files throughout, unless they are choices.
 ValueKind kind_of(const CLI::Option& option, const std::string& type) {
-  if (option.get_expected_min() == 0) return ValueKind::none;
+  if (option.get_expected_max() == 0) return ValueKind::none;
   if (names_choices(type)) return ValueKind::choice;
   if (type == "DIR") return ValueKind::folder;
-  return begins_with_any(type, {"FILE", "OUT", "CONFIG", "TEXT"}) ? ValueKind::file : ValueKind::other;
+  return begins_with_any(type, {"FILE", "OUT", "NEW", "CONFIG", "TEXT"}) ? ValueKind::file : ValueKind::other;
 }
 
 Argument argument_of(const CLI::Option& option) {

@@ -96,8 +96,8 @@ Described<Signature> describe_source(const std::string& source, const Selection&
   ImagePipeline pipeline;
   pipeline.frontend = frontend;
   pipeline.regions = regions;
-  pipeline.use = [&](const std::string& name, Signature signature) {
-    append(out.images, name, std::move(signature));
+  pipeline.use = [&](PipelineImage image) {
+    append(out.images, image.name, std::move(image.signature));
     progress.step_to(static_cast<int>(out.images.size()));
     return true;
   };

@@ -15,6 +15,7 @@
 #include "load_map.hpp"
 #include "map/config_json.hpp"
 #include "sailmap/error.hpp"
+#include "sailmap/map_maintenance.hpp"
 #include "threshold_choice.hpp"
 
 namespace sailmap::app {
@@ -90,15 +91,6 @@ EvaluationFile evaluate_source(const Options& options) {
   return evaluation_from_json(to_json(measure(options, truth)));
 }
 
-// What the map holds was decided by the old threshold, and stays.
-void write_back(StoredMap stored, const Options& options, double threshold) {
-  MapConfig config = stored.map.config();
-  config.detection.threshold = threshold;
-  const TopologicalMap& map = stored.map;
-  open_map_store(options.map)
-      ->save(TopologicalMap(config, map.nodes(), map.edges(), map.history(), map.active()), stored.frontend);
-}
-
 ordered_json to_json(const ThresholdChoice& choice, const EvaluationFile& evaluation,
                      const Options& options) {
   return {{"threshold", choice.threshold},
@@ -131,7 +123,7 @@ void print(const ThresholdChoice& c, const EvaluationFile& evaluation, const Opt
   }
 }
 
-void tune(const Options& options, std::optional<StoredMap> stored) {
+void tune(const Options& options, const std::optional<StoredMap>& stored) {
   const EvaluationFile evaluation =
       options.evaluation.empty() ? evaluate_source(options) : read_evaluation(options.evaluation);
   if (stored && !options.evaluation.empty()) {
@@ -144,7 +136,8 @@ void tune(const Options& options, std::optional<StoredMap> stored) {
     spdlog::warn("the threshold rests on {} detections; to claim a precision of {:g} it takes {}, all right",
                  choice.detections, options.precision, choice.needed);
   }
-  if (stored) write_back(std::move(*stored), options, choice.threshold);
+  // What the map holds was decided by the old threshold, and stays.
+  if (stored) set_threshold(options.map, choice.threshold);
   if (options.json) {
     print_json(to_json(choice, evaluation, options));
   } else {
@@ -195,7 +188,7 @@ void add_tune(CLI::App& app) {
     if (!options->map.empty()) stored = load_map(options->map);
     if (stored && options->evaluation.empty()) take_parameters(*stored, *options, keys);
     if (options->evaluation.empty()) settle_experiment(*command, *options, false);
-    tune(*options, std::move(stored));
+    tune(*options, stored);
   });
 }
 

@@ -6,8 +6,9 @@
 namespace sailmap {
 namespace {
 
-// A string that graphviz shows as it is: backslashes are its escapes (graphviz 2.43 resolves those of a tooltip
-// twice, so that there the name of an image with \N in it shows a number), and an ampersand may begin an entity.
+// A string that graphviz shows as it is: backslashes are its escapes (graphviz 2.43 resolves those of a
+// tooltip twice, so that there the name of an image with \N in it shows a number), and an ampersand may begin
+// an entity.
 std::string shown(std::string text) {
   boost::algorithm::replace_all(text, "&", "&amp;");
   boost::algorithm::replace_all(text, "\\", "\\\\");

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -37,10 +38,12 @@ using Step = std::pair<int, int>;  // from one node to another
 
 // The first image that arrived over an edge. A recognised image stands where its node is, so that the motion
 // since the image before it is what the poses know of the edge, loops included: they are the steps by which
-// the robot came back.
+// the robot came back. How it came to the first image of a session nobody knows.
 std::map<Step, int> arrivals(const TopologicalMap& map) {
   std::map<Step, int> out;
+  const std::set<int> starts(map.sessions().begin(), map.sessions().end());
   for (std::size_t i = 1; i < map.history().size(); ++i) {
+    if (starts.contains(static_cast<int>(i))) continue;
     out.emplace(Step{map.history()[i - 1].node, map.history()[i].node}, static_cast<int>(i));
   }
   return out;

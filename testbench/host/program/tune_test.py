@@ -1,7 +1,9 @@
 """sailmap tune: the threshold it gives, held against the score matrix of sailmap eval, and written into maps."""
 
+import contextlib
 import json
 import shutil
+import sqlite3
 import unittest
 
 import numpy as np
@@ -96,6 +98,27 @@ class Tune(ProgramCase):
         # The map goes on with it.
         printed = self.run_program("run", "s/images", "--map", "m.map", "--threshold", tuned["threshold"])
         self.assertIn("120 images", printed)
+
+    def test_nothing_else_in_the_file_changes(self):
+        self.run_program("run", "s/images", "--map", "m.map", "--exclude-recent", "5", "--thumbnails", "40")
+        self.run_program("run", "s/images", "--map", "m.map")
+        before = self.tables("m.map")
+        self.assertEqual((len(before["session"]), len(before["thumbnail"]), len(before["image"])), (2, 120, 120))
+        tuned = self.tune("--evaluation", "e.json", "--precision", "0.9", "--map", "m.map")
+        after = self.tables("m.map")
+        (row,), (tuned_row,) = before.pop("map"), after.pop("map")
+        self.assertEqual(before, after)
+        parameters = json.loads(row["parameters"])
+        parameters["detection"]["threshold"] = tuned["threshold"]
+        self.assertEqual(json.loads(tuned_row["parameters"]), parameters)
+        self.assertIn("sound", self.run_program("map", "check", "m.map"))
+        self.assertEqual(sorted(p.name for p in self.folder.glob("m.map*")), ["m.map"])
+
+    def tables(self, name):
+        with contextlib.closing(sqlite3.connect(self.folder / name)) as database:
+            database.row_factory = sqlite3.Row
+            names = [row[0] for row in database.execute("SELECT name FROM sqlite_master WHERE type = 'table'")]
+            return {table: [dict(row) for row in database.execute(f"SELECT * FROM {table}")] for table in names}
 
     def test_a_map_lends_its_parameters(self):
         self.run_program("run", "s/images", "--map", "m.map", "--exclude-recent", "5", "--max-regions", "12", "--method", "paper")
