@@ -18,12 +18,14 @@ bool begins_with_any(const std::string& text, std::initializer_list<const char*>
   return std::ranges::any_of(beginnings, [&text](const char* b) { return text.starts_with(b); });
 }
 
-// Texts are names of files throughout, unless they are choices.
+// Positionals that are texts are names of files throughout.
 ValueKind kind_of(const CLI::Option& option, const std::string& type) {
   if (option.get_expected_max() == 0) return ValueKind::none;
   if (names_choices(type)) return ValueKind::choice;
   if (type == "DIR") return ValueKind::folder;
-  return begins_with_any(type, {"FILE", "OUT", "NEW", "CONFIG", "TEXT"}) ? ValueKind::file : ValueKind::other;
+  const bool file =
+      begins_with_any(type, {"FILE", "OUT", "NEW", "CONFIG"}) || (option.get_positional() && type == "TEXT");
+  return file ? ValueKind::file : ValueKind::other;
 }
 
 Argument argument_of(const CLI::Option& option) {

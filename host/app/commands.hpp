@@ -28,6 +28,7 @@ void add_simulate(CLI::App& app);
 void add_map(CLI::App& app);
 // Into the subcommand `map`.
 void add_map_upkeep(CLI::App& map);
+void add_report(CLI::App& app);
 void add_fabmap(CLI::App& app);
 void add_loops(CLI::App& app);
 void add_tune(CLI::App& app);

@@ -12,9 +12,12 @@
 #include "commands.hpp"
 #include "experiment_options.hpp"
 #include "json_output.hpp"
+#include "report/evaluation_file.hpp"
+#include "report/page.hpp"
 #include "sailmap/bag_of_words.hpp"
 #include "sailmap/figures.hpp"
 #include "sailmap/file.hpp"
+#include "sailmap/image_source.hpp"
 #include "sailmap/npy.hpp"
 #include "table_report.hpp"
 
@@ -48,6 +51,38 @@ void check_table(const CLI::App& command) {
   }
 }
 
+// As the images are called; the frames of a video by their numbers.
+std::vector<std::string> names_of(const std::string& source, const Selection& selection, int count) {
+  std::vector<std::string> names;
+  if (is_image_list(source)) {
+    for (const fs::path& path : selected_images(source, selection)) names.push_back(path.string());
+  } else {
+    for (int i = 0; i < count; ++i) names.push_back(fmt::format("{}#{}", source, i));
+  }
+  return names;
+}
+
+// What a report shows of the images.
+nlohmann::ordered_json details_of(const Measurement& result, const GroundTruth& truth) {
+  const DataSet& data = result.data;
+  report::EvaluationNames names;
+  names.queries = names_of(data.queries(), data.selection, result.images);
+  if (data.traverses()) names.candidates = names_of(data.candidates(), data.selection, result.candidates);
+  const int same_place = result.recogniser.config.detection.same_place_nodes;
+  return report::evaluation_details(result.scores, truth, names, same_place);
+}
+
+// All figures, a line each, and the details, a line a part.
+std::string text_with_details(const Measurement& result, const GroundTruth& truth) {
+  std::string text = to_json(result).dump(2);
+  text.erase(text.rfind("\n}"));
+  const auto details = details_of(result, truth);
+  for (const auto& [key, value] : details.items()) {
+    text += fmt::format(",\n  \"{}\": {}", key, report::dump(value));
+  }
+  return text + "\n}\n";
+}
+
 void eval(const Options& options) {
   GroundTruth truth;
   const Measurement result = measure(options, truth);
@@ -55,11 +90,15 @@ void eval(const Options& options) {
   if (!options.plot.empty()) {
     write_evaluation_plot(options.plot, result.evaluation, result.scores, truth, title_of(result));
   }
-  if (!options.json.empty() && options.json != standard_output) {
-    write_file(options.json, [&](std::ostream& out) { out << to_json(result).dump(2) << '\n'; });
+  const bool to_standard_output = options.json == standard_output;
+  if (!options.json.empty() && !to_standard_output) {
+    const std::string text = text_with_details(result, truth);
+    write_file(options.json, [&text](std::ostream& out) { out << text; });
   }
-  if (options.json == standard_output) {
-    print_json(to_json(result));
+  if (to_standard_output) {
+    auto json = to_json(result);
+    json.update(details_of(result, truth));
+    print_json(json);
   } else {
     print(result);
   }

@@ -47,6 +47,7 @@ int parse_and_run(int argc, char** argv) {
   sailmap::app::add_map(app);
   sailmap::app::add_loops(app);
   sailmap::app::add_tune(app);
+  sailmap::app::add_report(app);
   sailmap::app::add_fabmap(app);
   sailmap::app::add_completion(app);
   sailmap::app::add_manual(app);

@@ -55,6 +55,8 @@ FAULTS = [
     (["tune", "--evaluation", "text.png"], 1, "text.png"),
     (["tune", "images", *TRUTH, "--map", "gone.map"], 1, "gone.map"),
     (["tune", "images"], 2, "--ground-truth"),
+    (["report", "gone.map", "-o", "x.html"], 1, "gone.map"),
+    (["report", "text.png", "-o", "x.html"], 1, "text.png"),
     (["fabmap", "train", "gone", "--out", "v"], 1, "gone"),
     (["manual", "--out", "text.png/man"], 1, "text.png/man"),
 ]
