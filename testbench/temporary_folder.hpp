@@ -15,8 +15,8 @@ namespace sailmap::testing {
 
 class TemporaryFolder {
  public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "sailmap_XXXXXX").string();
+  explicit TemporaryFolder(const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
+    std::string name = (parent / "sailmap_XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
     path_ = name;
   }
@@ -43,6 +43,14 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+// A place for files that need not outlive a power cut: where writing them takes no time, if the system has
+// one.
+inline std::filesystem::path memory_folder() {
+  const std::filesystem::path memory = "/dev/shm";
+  std::error_code unknown;
+  return std::filesystem::is_directory(memory, unknown) ? memory : std::filesystem::temp_directory_path();
+}
 
 inline std::string content_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);

@@ -21,6 +21,9 @@ void add_compare(CLI::App& app);
 void add_perturb(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_map(CLI::App& app);
+// Into the subcommand `map`.
+void add_map_upkeep(CLI::App& map);
+void add_report(CLI::App& app);
 void add_fabmap(CLI::App& app);
 
 }  // namespace sailmap::app

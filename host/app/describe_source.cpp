@@ -11,6 +11,7 @@
 #include "image_pipeline.hpp"
 #include "progress.hpp"
 #include "sailmap/error.hpp"
+#include "sailmap/frontend.hpp"
 #include "sailmap/image_source.hpp"
 
 namespace sailmap::app {
@@ -89,6 +90,7 @@ int count_images(const std::string& source, const Selection& selection) {
 
 Described<Signature> describe_source(const std::string& source, const Selection& selection,
                                      const std::string& frontend, const RegionConfig& regions) {
+  check_signature(frontend, regions);
   const auto images = open_selected(source, selection);
   const Rate rate;
   Progress progress("describe", images->size());
@@ -96,8 +98,8 @@ Described<Signature> describe_source(const std::string& source, const Selection&
   ImagePipeline pipeline;
   pipeline.frontend = frontend;
   pipeline.regions = regions;
-  pipeline.use = [&](const std::string& name, Signature signature) {
-    append(out.images, name, std::move(signature));
+  pipeline.use = [&](PipelineImage image) {
+    append(out.images, image.name, std::move(image.signature));
     progress.step_to(static_cast<int>(out.images.size()));
     return true;
   };

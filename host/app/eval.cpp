@@ -12,9 +12,12 @@
 #include "commands.hpp"
 #include "measurement.hpp"
 #include "options.hpp"
+#include "report/evaluation_file.hpp"
+#include "report/page.hpp"
 #include "sailmap/bag_of_words.hpp"
 #include "sailmap/figures.hpp"
 #include "sailmap/file.hpp"
+#include "sailmap/image_source.hpp"
 #include "sailmap/npy.hpp"
 #include "table_report.hpp"
 
@@ -85,6 +88,33 @@ Measurement measure_signatures(const DataSet& data, const Recogniser& recogniser
   return measure(data, truth, describe(data, recogniser.frontend, recogniser.config.regions), recogniser);
 }
 
+// As the images are called; the frames of a video by their numbers.
+std::vector<std::string> names_of(const std::string& source, const Selection& selection, int count) {
+  std::vector<std::string> names;
+  if (is_image_list(source)) {
+    for (const fs::path& path : selected_images(source, selection)) names.push_back(path.string());
+  } else {
+    for (int i = 0; i < count; ++i) names.push_back(fmt::format("{}#{}", source, i));
+  }
+  return names;
+}
+
+// All figures, a line each, and what a report shows of the images, a line a part.
+std::string text_with_details(const Measurement& result, const GroundTruth& truth) {
+  const DataSet& data = result.data;
+  report::EvaluationNames names;
+  names.queries = names_of(data.queries(), data.selection, result.images);
+  if (data.traverses()) names.candidates = names_of(data.candidates(), data.selection, result.candidates);
+  const int same_place = result.recogniser.config.detection.same_place_nodes;
+  const auto details = report::evaluation_details(result.scores, truth, names, same_place);
+  std::string text = to_json(result).dump(2);
+  text.erase(text.rfind("\n}"));
+  for (const auto& [key, value] : details.items()) {
+    text += fmt::format(",\n  \"{}\": {}", key, report::dump(value));
+  }
+  return text + "\n}\n";
+}
+
 void eval(const Options& options) {
   GroundTruth truth;
   const Measurement result = options.recogniser.on_words()
@@ -95,7 +125,8 @@ void eval(const Options& options) {
     write_evaluation_plot(options.plot, result.evaluation, result.scores, truth, title_of(result));
   }
   if (!options.json.empty()) {
-    write_file(options.json, [&](std::ostream& out) { out << to_json(result).dump(2) << '\n'; });
+    const std::string text = text_with_details(result, truth);
+    write_file(options.json, [&text](std::ostream& out) { out << text; });
   }
   print(result);
 }

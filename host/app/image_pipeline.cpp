@@ -3,8 +3,11 @@
 #include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <optional>
 #include <utility>
 
@@ -17,22 +20,33 @@ namespace {
 // An image on its way: to be decoded, described, or the fault that came in between.
 struct Item {
   PendingFrame frame;
-  Signature signature;
+  PipelineImage image;
   std::exception_ptr fault;
 };
 using Handle = std::shared_ptr<Item>;
 
 // A fault of the source itself is an item too, so that the images before it are used first.
-Handle read(ImageSource& source) {
+Handle read(ImageSource& source, const ImagePipeline& pipeline) {
   auto item = std::make_shared<Item>();
   try {
     std::optional<PendingFrame> frame = source.next_pending();
+    while (frame && !pipeline.wanted(frame->name)) frame = source.next_pending();
     if (!frame) return nullptr;
     item->frame = std::move(*frame);
   } catch (const Error&) {
     item->fault = std::current_exception();
   }
   return item;
+}
+
+// A JPEG of the image, not wider than it is itself.
+std::vector<unsigned char> thumbnail_of(const cv::Mat& image, int width) {
+  const double scale = std::min(1.0, static_cast<double>(width) / image.cols);
+  cv::Mat small;
+  cv::resize(image, small, {}, scale, scale, cv::INTER_AREA);
+  std::vector<unsigned char> jpeg;
+  cv::imencode(".jpg", small, jpeg, {cv::IMWRITE_JPEG_QUALITY, 80});
+  return jpeg;
 }
 
 void describe(Item& item, const ImagePipeline& pipeline) {
@@ -43,7 +57,10 @@ void describe(Item& item, const ImagePipeline& pipeline) {
   try {
     if (!frontend || frontend->name() != pipeline.frontend) frontend = make_frontend(pipeline.frontend);
     describe_into(item.frame.name, item.frame.read(), *frontend, pipeline.regions, described);
-    item.signature = std::move(described.signature);
+    item.image = {item.frame.name, std::move(described.signature), {item.frame.time, {}}};
+    if (pipeline.thumbnail_width > 0) {
+      item.image.note.thumbnail = thumbnail_of(described.image, pipeline.thumbnail_width);
+    }
   } catch (const Error&) {
     item.fault = std::current_exception();
   }
@@ -57,7 +74,7 @@ void run_pipeline(ImageSource& source, const ImagePipeline& pipeline) {
   const auto in_flight = 2 * static_cast<std::size_t>(tbb::info::default_concurrency());
   const auto reading =
       tbb::make_filter<void, Handle>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) {
-        Handle item = over || !pipeline.go_on() ? nullptr : read(source);
+        Handle item = over || !pipeline.go_on() ? nullptr : read(source, pipeline);
         if (!item) flow.stop();
         return item;
       });
@@ -69,8 +86,7 @@ void run_pipeline(ImageSource& source, const ImagePipeline& pipeline) {
   const auto using_up =
       tbb::make_filter<Handle, void>(tbb::filter_mode::serial_in_order, [&](const Handle& item) {
         if (over) return;
-        const bool more = item->fault ? pipeline.on_fault(item->fault)
-                                      : pipeline.use(std::move(item->frame.name), std::move(item->signature));
+        const bool more = item->fault ? pipeline.on_fault(item->fault) : pipeline.use(std::move(item->image));
         if (!more) over = true;
       });
   tbb::parallel_pipeline(in_flight, reading & describing & using_up);

@@ -1,4 +1,5 @@
 // sailmap map: look into map files and carry them elsewhere.
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -9,6 +10,7 @@
 
 #include "commands.hpp"
 #include "map/config_json.hpp"
+#include "run_report.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/figures.hpp"
 #include "sailmap/file.hpp"
@@ -37,25 +39,41 @@ Counts count_edges(const TopologicalMap& map) {
 
 void info(const std::string& path, bool json) {
   const StoredMap stored = load(path);
+  const std::vector<Session> sessions = MapStore(path).sessions();
   const Counts edges = count_edges(stored.map);
   const auto config = to_json(stored.map.config());
   if (json) {
-    const nlohmann::ordered_json out = {{"map", path},
-                                        {"frontend", stored.frontend},
-                                        {"images", stored.map.images()},
-                                        {"nodes", stored.map.nodes().size()},
-                                        {"path_edges", edges.paths},
-                                        {"loop_edges", edges.loops},
-                                        {"loops", stored.map.loops()},
-                                        {"config", config}};
-    fmt::print("{}\n", out.dump());
+    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+    for (const Session& s : sessions) {
+      runs.push_back({{"source", s.source},
+                      {"started", s.started},
+                      {"first_image", s.first_image},
+                      {"images", s.images},
+                      {"skipped", s.skipped},
+                      {"seconds", s.seconds}});
+    }
+    fmt::print("{}\n", dump({{"map", path},
+                             {"frontend", stored.frontend},
+                             {"images", stored.map.images()},
+                             {"nodes", stored.map.nodes().size()},
+                             {"path_edges", edges.paths},
+                             {"loop_edges", edges.loops},
+                             {"loops", stored.map.loops()},
+                             {"sessions", runs},
+                             {"config", config}}));
     return;
   }
   fmt::print(
       "map        {}\nfront end  {}\nimages     {}\nnodes      {}\nedges      {} ({} path, {} loop)\nloops   "
-      "   {}\n",
+      "   {}\nsessions   {}\n",
       path, stored.frontend, stored.map.images(), stored.map.nodes().size(), edges.paths + edges.loops,
-      edges.paths, edges.loops, stored.map.loops());
+      edges.paths, edges.loops, stored.map.loops(), sessions.size());
+  for (const Session& s : sessions) {
+    if (s.source.empty()) continue;  // of a map that was not built by a run
+    const auto started = static_cast<std::time_t>(s.started);
+    fmt::print("           {} images from image {} on, {} skipped, {:.1f} s, {:%Y-%m-%d %H:%M}, {}\n",
+               s.images, s.first_image, s.skipped, s.seconds, fmt::localtime(started), s.source);
+  }
   fmt::print("parameters {}\n", config.dump());
 }
 
@@ -96,6 +114,7 @@ void add_map(CLI::App& app) {
   info_command->add_option("FILE", options->file, "The map")->required();
   info_command->add_flag("--json", options->json, "As one line of JSON");
   info_command->callback([options] { info(options->file, options->json); });
+  add_map_upkeep(*command);
   CLI::App* export_command = command->add_subcommand("export", "Write the map in another format");
   export_command->add_option("FILE", options->file, "The map")->required();
   std::vector<std::string> formats;

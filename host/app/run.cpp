@@ -1,22 +1,20 @@
-// sailmap run: builds or extends a map from a stream of images, telling each loop closure as it happens.
+// sailmap run: builds or extends a map from a stream of images, telling each loop closure as it happens; or
+// says where on a map the images are, and leaves the map as it is.
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
-#include <cstdio>
-#include <exception>
 #include <memory>
-#include <optional>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 #include "commands.hpp"
-#include "image_pipeline.hpp"
+#include "live_view.hpp"
 #include "map/config_json.hpp"
 #include "options.hpp"
-#include "progress.hpp"
+#include "run_report.hpp"
+#include "run_source.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/image_source.hpp"
 #include "sailmap/map_store.hpp"
@@ -33,23 +31,17 @@ struct Options {
   std::string frontend;
   bool json = false;
   bool skip_bad = false;
+  bool localise = false;
+  bool resume = false;
   int max_images = 0;
+  int thumbnails = 0;
+  ViewOptions view;
   MapConfig config;
 };
 
-// Set by the first SIGINT: the run ends after the image at hand, and the map is saved.
-volatile std::sig_atomic_t interrupted = 0;
-
-void on_interrupt(int) {
-  interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);  // a second one ends the program at once
-}
-
-// A map to go on with: the stored one, or a new one with the options of the command line. Options given that
-// differ from those a stored map was made with are refused, since its similarities would no longer compare.
-StoredMap open_map(const MapStore& store, const Options& options, const OptionKeys& given) {
-  if (!store.exists()) return {TopologicalMap(options.config), options.frontend};
-  StoredMap stored = store.load();
+// Options given that differ from those a stored map was made with are refused, since its similarities would
+// no longer compare.
+void demand_same_parameters(const StoredMap& stored, const Options& options, const OptionKeys& given) {
   ordered_json then = to_json(stored.map.config());
   ordered_json now = to_json(options.config);
   then["frontend"] = stored.frontend;
@@ -62,122 +54,127 @@ StoredMap open_map(const MapStore& store, const Options& options, const OptionKe
                           then.at(pointer).dump(), now.at(pointer).dump());
   }
   if (!differ.empty()) throw Error(options.map + ": the map was made with other parameters: " + differ);
-  return stored;
 }
 
-ordered_json event_of(const Update& update, const TopologicalMap& map) {
-  const Detection& d = update.detection;
-  ordered_json json = {{"event", "loop_closure"}, {"image", update.image}, {"name", update.name}};
-  json["node_name"] = map.nodes()[static_cast<std::size_t>(d.best.node)].views.front().name;
-  json.update(to_json(d));
-  return json;
+// A map to go on with: the one in the file, or a new one with the options of the command line.
+StoredMap open_map(const MapWriter& writer, const Options& options, const OptionKeys& given) {
+  std::optional<StoredMap> stored = writer.load();
+  if (!stored) return {TopologicalMap(options.config), options.frontend};
+  demand_same_parameters(*stored, options, given);
+  return std::move(*stored);
 }
 
-std::string line_of(const Update& update, const TopologicalMap& map) {
-  const Detection& d = update.detection;
-  const Node& node = map.nodes()[static_cast<std::size_t>(d.best.node)];
-  // Scores of the method context lie within 0 and 1.
-  const int digits = map.config().match.method == Method::context ? 3 : 1;
-  std::string line = fmt::format(
-      "loop closure: image {} ({}) is at node {} ({}), similarity {:.{}f}, {} regions matched", update.image,
-      update.name, node.id, node.views.front().name, d.best.similarity, digits, d.matches.size());
-  if (d.runner_up.node >= 0)
-    line += fmt::format("; runner-up node {} with {:.{}f}", d.runner_up.node, d.runner_up.similarity, digits);
-  return line;
+SourceRun source_run(const Options& options, const StoredMap& stored) {
+  SourceRun run;
+  run.frontend = stored.frontend;
+  run.regions = stored.map.config().regions;
+  run.max_images = options.max_images;
+  run.skip_bad = options.skip_bad;
+  return run;
 }
 
-std::string dump(const ordered_json& json) {
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+// The images of the last session, by name.
+std::unordered_set<std::string> names_of_session(const TopologicalMap& map) {
+  std::unordered_set<std::string> names;
+  for (std::size_t i = static_cast<std::size_t>(map.sessions().back()); i < map.history().size(); ++i) {
+    names.insert(map.history()[i].name);
+  }
+  return names;
 }
 
-struct Counts {
-  int images = 0;
-  int loops = 0;
-  double seconds = 0;
+// Commits what was appended now and then, so that a fast source does not wait for the disk at each image, and
+// always before something is told about an image.
+class Committer {
+ public:
+  explicit Committer(MapWriter& writer) : writer_(writer) {}
+  void commit() {
+    writer_.commit();
+    last_ = Clock::now();
+  }
+  void commit_sometimes() {
+    if (Clock::now() - last_ > std::chrono::milliseconds(100)) commit();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  MapWriter& writer_;
+  Clock::time_point last_ = Clock::now();
 };
 
-void report(const Update& update, const TopologicalMap& map, const Options& options) {
-  fmt::print("{}\n", options.json ? dump(event_of(update, map)) : line_of(update, map));
-  std::fflush(stdout);
-}
-
-// Unreadable images are reported and passed over when the user asked for that.
-bool skip(const std::exception_ptr& fault, const Options& options, Progress& progress) {
-  try {
-    std::rethrow_exception(fault);
-  } catch (const Error& error) {
-    if (!options.skip_bad) throw;
-    progress.clear();
-    spdlog::warn("skipped {}", error.what());
+void extend(const Options& options, const OptionKeys& given) {
+  const auto source = open_source(options.source);
+  LiveView view(options.view, options.map);
+  MapWriter writer(options.map);
+  StoredMap stored = open_map(writer, options, given);
+  TopologicalMap& map = stored.map;
+  SourceRun run = source_run(options, stored);
+  run.thumbnail_width = options.thumbnails;
+  std::unordered_set<std::string> known;
+  if (options.resume) {
+    known = names_of_session(map);
+    run.wanted = [&](const std::string& name) { return !known.contains(name); };
+    writer.resume_session(stored);
+  } else {
+    map.begin_session();
+    writer.begin_session(stored, options.source);
   }
-  return true;
-}
-
-void map_source(ImageSource& source, TopologicalMap& map, const std::string& frontend, const Options& options,
-                Counts& counts) {
-  const auto start = std::chrono::steady_clock::now();
-  std::optional<int> total = source.size();
-  if (options.max_images > 0) total = std::min(total.value_or(options.max_images), options.max_images);
-  Progress progress("run", total);
-  ImagePipeline pipeline;
-  pipeline.frontend = frontend;
-  pipeline.regions = map.config().regions;
-  pipeline.go_on = [] { return interrupted == 0; };
-  pipeline.on_fault = [&](const std::exception_ptr& fault) { return skip(fault, options, progress); };
-  pipeline.use = [&](const std::string& name, Signature signature) {
-    const Update& update = map.add(name, std::move(signature));
-    ++counts.images;
-    if (update.detection.accepted()) {
-      ++counts.loops;
-      progress.clear();
-      report(update, map, options);
-    }
-    progress.step_to(counts.images);
-    counts.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return options.max_images == 0 || counts.images < options.max_images;
+  const int before = map.images();
+  view.begin(map, stored.frontend);
+  RunCounts counts;
+  Committer committer(writer);
+  run.use = [&](const PipelineImage& image, Progress& progress) {
+    const Update& update = map.add(image.name, image.signature);
+    writer.append(map, image.signature, image.note);
+    view.update(map);
+    writer.note_session(counts.skipped, counts.seconds);
+    if (!update.detection.accepted()) return committer.commit_sometimes();
+    ++counts.loops;
+    committer.commit();
+    progress.clear();
+    print_place(map, update.image, update.name, update.detection, "loop_closure", "loop closure",
+                options.json);
   };
-  run_pipeline(source, pipeline);
+  try {
+    run_source(*source, run, counts);
+  } catch (const Error& fault) {
+    writer.finish();
+    const int kept = writer.committed() - before;
+    if (kept == 0) throw;
+    throw Error(fmt::format("{}; the {} images before it are in {}", fault.what(), kept, options.map));
+  }
+  if (counts.images == 0 && known.empty()) throw Error(options.source + ": no image could be read");
+  writer.note_session(counts.skipped, counts.seconds);
+  writer.finish();
+  print_run_summary(counts, map, options.map, options.json);
 }
 
-void print_summary(const Counts& counts, const TopologicalMap& map, const Options& options) {
-  const double rate = counts.seconds > 0 ? counts.images / counts.seconds : 0;
+void localise(const Options& options, const OptionKeys& given) {
+  const MapStore store(options.map);
+  if (!store.exists()) throw Error(options.map + ": no such file");
+  StoredMap stored = store.load();
+  demand_same_parameters(stored, options, given);
+  const auto source = open_source(options.source);
+  SourceRun run = source_run(options, stored);
+  RunCounts counts;
+  run.use = [&](const PipelineImage& image, Progress& progress) {
+    const Detection detection = stored.map.locate(image.name, image.signature);
+    if (detection.accepted()) ++counts.loops;
+    if (!detection.accepted() && !options.json) return;
+    progress.clear();
+    print_place(stored.map, counts.images, image.name, detection, detection.accepted() ? "located" : "lost",
+                "located", options.json);
+  };
+  run_source(*source, run, counts);
+  if (counts.images == 0) throw Error(options.source + ": no image could be read");
   if (options.json) {
     fmt::print("{}\n", dump({{"event", "summary"},
                              {"images", counts.images},
-                             {"loops", counts.loops},
-                             {"images_per_second", rate},
-                             {"map", options.map},
-                             {"map_images", map.images()},
-                             {"nodes", map.nodes().size()},
-                             {"edges", map.edges().size()},
-                             {"map_loops", map.loops()}}));
-    return;
+                             {"located", counts.loops},
+                             {"skipped", counts.skipped},
+                             {"map", options.map}}));
+  } else {
+    fmt::print("{}: {} of {} images located\n", options.map, counts.loops, counts.images);
   }
-  fmt::print(
-      "{}: {} images, {} nodes, {} edges, {} loops; this run {} images, {} loops, {:.1f} images per second\n",
-      options.map, map.images(), map.nodes().size(), map.edges().size(), map.loops(), counts.images,
-      counts.loops, rate);
-}
-
-void run(const Options& options, const OptionKeys& given) {
-  const auto store = open_map_store(options.map);
-  StoredMap stored = open_map(*store, options, given);
-  const auto source = open_source(options.source);
-  std::signal(SIGINT, on_interrupt);
-  Counts counts;
-  try {
-    map_source(*source, stored.map, stored.frontend, options, counts);
-  } catch (const Error& fault) {
-    // Image files can be given again, so the map stays as it was; what a camera or video showed must not be
-    // lost.
-    if (is_image_list(options.source) || counts.images == 0) throw;
-    store->save(stored.map, stored.frontend);
-    throw Error(
-        fmt::format("{}; the {} images before it are in {}", fault.what(), counts.images, options.map));
-  }
-  if (counts.images == 0) throw Error(options.source + ": no image could be read");
-  store->save(stored.map, stored.frontend);
-  print_summary(counts, stored.map, options);
 }
 
 }  // namespace
@@ -190,7 +187,11 @@ void add_run(CLI::App& app) {
           "SOURCE", options->source,
           "Folder of images (natural order), glob in quotes, list file (.txt), image, video, or camera index")
       ->required();
-  command->add_option("--map", options->map, "The map file; extended when it exists")
+  command
+      ->add_option(
+          "--map", options->map,
+          "The map file. One that exists is extended by a new session: the robot may have been moved, "
+          "so no edge leads to its first image")
       ->required()
       ->type_name("FILE");
   command->add_flag("--json", options->json, "Print loop closures and summary as lines of JSON");
@@ -201,7 +202,21 @@ void add_run(CLI::App& app) {
       ->capture_default_str();
   command->add_flag(
       "--skip-bad", options->skip_bad,
-      "Report images that cannot be read and go on; without, the run fails and the map stays as it was");
+      "Report images that cannot be read and go on; without, the run fails, and the images before are kept");
+  CLI::Option* localise_flag = command->add_flag(
+      "--localise", options->localise, "Only say where on the map the images are; the map is not changed");
+  CLI::Option* resume = command->add_flag("--resume", options->resume,
+                                          "Go on with the map's last session, after a run that was "
+                                          "interrupted: images that it has by name are left out");
+  CLI::Option* thumbnails =
+      command
+          ->add_option("--thumbnails", options->thumbnails,
+                       "Keep a picture of each image in the map, so many pixels wide; 0: none")
+          ->check(CLI::Range(0, 4096).description(""))
+          ->capture_default_str();
+  localise_flag->excludes(resume)->excludes(thumbnails);
+  add_view_options(*command, options->view);
+  localise_flag->excludes(command->get_option("--view"));
   add_frontend_option(*command, options->frontend);
   OptionKeys keys = add_map_options(*command, options->config);
   keys["/frontend"] = command->get_option("--frontend");
@@ -209,7 +224,7 @@ void add_run(CLI::App& app) {
     settle_thresholds(*command, options->config);
     const bool context = options->config.match.method == Method::context;
     if (context && keys.at("/temporal")->count() == 0) options->config.temporal = default_temporal_images;
-    run(*options, keys);
+    options->localise ? localise(*options, keys) : extend(*options, keys);
   });
 }
 

@@ -16,12 +16,15 @@ namespace sailmap {
 struct Frame {
   std::string name;  // path of the image, or "video.mp4#17", or "camera 0#17"
   cv::Mat image;     // 8-bit BGR
+  // When it was taken, seconds since 1970: the file's modification time, a camera's clock; of videos unknown.
+  std::optional<double> time;
 };
 
 // An image not decoded yet.
 struct PendingFrame {
   std::string name;
   std::function<cv::Mat()> read;  // 8-bit BGR; safe on any thread. Throws Error, naming the image.
+  std::optional<double> time;     // as in Frame
 };
 
 class ImageSource {
@@ -32,13 +35,17 @@ class ImageSource {
   ImageSource(ImageSource&&) = delete;
   ImageSource& operator=(ImageSource&&) = delete;
   virtual ~ImageSource() = default;
-  // The next frame, or nothing at the end. Throws Error, naming the image, when one cannot be read.
+  // The next frame, or nothing at the end. Throws Error, naming the image, when one cannot be read, and when
+  // a camera gives no more.
   virtual std::optional<Frame> next() = 0;
   // As next(), but the decoding is left to the caller where the source allows that, so that threads can share
   // it.
   virtual std::optional<PendingFrame> next_pending();
   // How many images there are in all, when known beforehand.
   [[nodiscard]] virtual std::optional<int> size() const = 0;
+  // After the end: why it may have come too early, one line that names the source, or nothing. A video that
+  // was cut off ends before the number of frames in its header, which is not always right.
+  [[nodiscard]] virtual std::optional<std::string> early_end() const { return std::nullopt; }
 };
 
 // "2" before "10": digits compare as numbers, the rest as text.

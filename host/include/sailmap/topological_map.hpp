@@ -70,9 +70,20 @@ class TopologicalMap {
  public:
   explicit TopologicalMap(MapConfig config = {})
       : config_(config), filter_(temporal_config(config.match.method, config.temporal)) {}
-  // A map as it was stored. Throws Error when the parts contradict each other.
+  // A map as it was stored; `sessions` holds the first image of each session, rising from 0, and is empty
+  // when there is one. Throws Error when the parts contradict each other.
   TopologicalMap(MapConfig config, std::vector<Node> nodes, std::vector<Edge> edges,
-                 std::vector<Update> history, int active);
+                 std::vector<Update> history, int active, std::vector<int> sessions = {});
+
+  // The images from now on were taken after the robot stopped and began anew, it may be elsewhere: no edge
+  // leads to the first from the image before it, and all that was seen in older sessions may be met at once,
+  // however recent.
+  void begin_session();
+
+  // Where an image is on the map, which stays as it is: compared with all nodes, recent ones too. The
+  // temporal filter, if there is one, takes the images located one after the other for a sequence. Throws
+  // Error when the image's size is not that of the map's images.
+  Detection locate(const std::string& name, const Signature& signature);
 
   // Compares the image with all admissible nodes and updates the map. Throws Error when the image's size is
   // not that of the map's images; the map is then unchanged.
@@ -82,27 +93,31 @@ class TopologicalMap {
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   [[nodiscard]] const std::vector<Update>& history() const { return history_; }  // one per image
+  [[nodiscard]] const std::vector<int>& sessions() const { return sessions_; }   // first image of each
   [[nodiscard]] int images() const { return static_cast<int>(history_.size()); }
   [[nodiscard]] int active() const { return active_; }  // -1 when empty
   [[nodiscard]] int loops() const;                      // accepted detections
 
  private:
+  void demand_same_size(const std::string& name, const Signature& signature) const;
   void advance_admissible(int image);
-  [[nodiscard]] Ranking compare(const Signature& signature);
+  [[nodiscard]] Ranking compare(const Signature& signature, int nodes);
+  [[nodiscard]] Detection detect(const Signature& signature, int nodes);
   [[nodiscard]] bool belongs_to_active(const Signature& signature) const;
   void add_node(View view);
   void add_view(int node, View view);
   void add_loop(int from, int to);
   [[nodiscard]] bool uses_index() const;
-  [[nodiscard]] std::vector<Candidate> score_all(const Signature& signature) const;
+  [[nodiscard]] std::vector<Candidate> score_all(const Signature& signature, int nodes) const;
 
   MapConfig config_;
   std::vector<Node> nodes_;
   std::vector<Edge> edges_;
   std::vector<Update> history_;
+  std::vector<int> sessions_ = {0};
   int active_ = -1;
-  int admissible_ = 0;                            // nodes 0 .. admissible_ - 1 are older than exclude_recent
-  PlaceIndex index_;                              // all views
+  int admissible_ = 0;  // nodes 0 .. admissible_ - 1 are older than exclude_recent, or than the session
+  PlaceIndex index_;    // all views
   std::unordered_set<std::uint64_t> loop_edges_;  // both ends in one number, see topological_map.cpp
   TemporalFilter filter_;                         // begins anew with a map that was stored
 };

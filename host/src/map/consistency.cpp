@@ -1,5 +1,7 @@
 #include "consistency.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <string>
 
 #include "sailmap/error.hpp"
@@ -57,14 +59,17 @@ class Checker {
 }  // namespace
 
 void check_consistency(const std::vector<Node>& nodes, const std::vector<Edge>& edges,
-                       const std::vector<Update>& history, int active) {
+                       const std::vector<Update>& history, int active, const std::vector<int>& sessions) {
   const Checker checker(nodes, history);
   int number = 0;
   for (const Node& node : nodes) checker.check(node, number++);
   for (const Edge& edge : edges) checker.check(edge);
   number = 0;
   for (const Update& update : history) checker.check(update, number++);
-  demand(nodes.empty() ? active == -1 : checker.is_node(active), "the active node does not exist");
+  demand(active == (history.empty() ? -1 : history.back().node), "the active node is not the last image's");
+  demand(sessions.front() == 0 && sessions.back() <= std::max(0, number) &&
+             std::ranges::adjacent_find(sessions, std::greater_equal<>{}) == sessions.end(),
+         "the sessions are not in order");
 }
 
 }  // namespace sailmap

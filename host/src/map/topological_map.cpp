@@ -52,14 +52,15 @@ EdgeKind edge_kind_from_name(std::string_view name) {
 }
 
 TopologicalMap::TopologicalMap(MapConfig config, std::vector<Node> nodes, std::vector<Edge> edges,
-                               std::vector<Update> history, int active)
+                               std::vector<Update> history, int active, std::vector<int> sessions)
     : config_(config),
       nodes_(std::move(nodes)),
       edges_(std::move(edges)),
       history_(std::move(history)),
+      sessions_(sessions.empty() ? std::vector<int>{0} : std::move(sessions)),
       active_(active),
       filter_(temporal_config(config.match.method, config.temporal)) {
-  check_consistency(nodes_, edges_, history_, active_);
+  check_consistency(nodes_, edges_, history_, active_, sessions_);
   for (const Node& node : nodes_) {
     for (std::size_t v = 0; v < node.views.size(); ++v) {
       if (uses_index()) index_.add({node.id, static_cast<int>(v)}, node.views[v].signature);
@@ -70,34 +71,54 @@ TopologicalMap::TopologicalMap(MapConfig config, std::vector<Node> nodes, std::v
   }
 }
 
-const Update& TopologicalMap::add(std::string name, Signature signature) {
-  if (!nodes_.empty()) {
-    const Signature& first = nodes_.front().views.front().signature;
-    if (signature.width != first.width || signature.height != first.height) {
-      throw Error(name + ": " + std::to_string(signature.width) + "x" + std::to_string(signature.height) +
-                  " pixels, but the map's images are " + std::to_string(first.width) + "x" +
-                  std::to_string(first.height));
-    }
-  }
-  Update update;
-  update.image = images();
-  update.name = name;
-  advance_admissible(update.image);
-  update.detection = decide_ranked(compare(signature), config_.detection, [&](int node) {
+void TopologicalMap::begin_session() {
+  if (sessions_.back() == images()) return;
+  sessions_.push_back(images());
+  filter_ = TemporalFilter(temporal_config(config_.match.method, config_.temporal));
+}
+
+void TopologicalMap::demand_same_size(const std::string& name, const Signature& signature) const {
+  if (nodes_.empty()) return;
+  const Signature& first = nodes_.front().views.front().signature;
+  if (signature.width == first.width && signature.height == first.height) return;
+  throw Error(name + ": " + std::to_string(signature.width) + "x" + std::to_string(signature.height) +
+              " pixels, but the map's images are " + std::to_string(first.width) + "x" +
+              std::to_string(first.height));
+}
+
+// Among the first so many nodes.
+Detection TopologicalMap::detect(const Signature& signature, int nodes) {
+  Detection detection = decide_ranked(compare(signature, nodes), config_.detection, [&](int node) {
     return best_match(signature, nodes_[static_cast<std::size_t>(node)], config_.match).matches;
   });
   if (signature.regions.empty()) {
-    update.detection.reason = Reason::no_regions;
-  } else if (admissible_ == 0 && !nodes_.empty()) {
-    update.detection.reason = Reason::excluded;
+    detection.reason = Reason::no_regions;
+  } else if (nodes == 0 && !nodes_.empty()) {
+    detection.reason = Reason::excluded;
   }
+  return detection;
+}
+
+Detection TopologicalMap::locate(const std::string& name, const Signature& signature) {
+  demand_same_size(name, signature);
+  return detect(signature, static_cast<int>(nodes_.size()));
+}
+
+const Update& TopologicalMap::add(std::string name, Signature signature) {
+  demand_same_size(name, signature);
+  Update update;
+  update.image = images();
+  update.name = name;
+  const bool follows = update.image != sessions_.back();  // the robot came here from the active node
+  advance_admissible(update.image);
+  update.detection = detect(signature, admissible_);
 
   View view{update.image, std::move(name), std::move(signature)};
   if (update.detection.accepted()) {
     update.node = update.detection.best.node;
-    if (config_.loop_edges && update.node != active_) add_loop(active_, update.node);
+    if (config_.loop_edges && follows && update.node != active_) add_loop(active_, update.node);
     if (config_.sparse) add_view(update.node, std::move(view));
-  } else if (config_.sparse && belongs_to_active(view.signature)) {
+  } else if (config_.sparse && follows && belongs_to_active(view.signature)) {
     update.node = active_;
     add_view(active_, std::move(view));
   } else {
@@ -105,7 +126,7 @@ const Update& TopologicalMap::add(std::string name, Signature signature) {
     update.new_node = true;
     add_node(std::move(view));
     // The first edge of a new node: no need to look whether it is known.
-    if (active_ >= 0) edges_.push_back({active_, update.node, EdgeKind::path});
+    if (follows && active_ >= 0) edges_.push_back({active_, update.node, EdgeKind::path});
   }
   active_ = update.node;
   history_.push_back(std::move(update));
@@ -121,7 +142,8 @@ int TopologicalMap::loops() const {
 // never is again.
 void TopologicalMap::advance_admissible(int image) {
   const auto is_recent = [&](const Node& node) {
-    return image - node.views.front().image <= config_.exclude_recent;
+    const int made = node.views.front().image;
+    return made >= sessions_.back() && image - made <= config_.exclude_recent;
   };
   while (admissible_ < static_cast<int>(nodes_.size()) &&
          !is_recent(nodes_[static_cast<std::size_t>(admissible_)])) {
@@ -134,24 +156,23 @@ bool TopologicalMap::uses_index() const {
   return config_.match.method != Method::context && config_.temporal < 2;
 }
 
-Ranking TopologicalMap::compare(const Signature& signature) {
+Ranking TopologicalMap::compare(const Signature& signature, int nodes) {
   if (!uses_index()) {
-    return rank(filtered(score_all(signature), filter_), config_.detection.same_place_nodes);
+    return rank(filtered(score_all(signature, nodes), filter_), config_.detection.same_place_nodes);
   }
-  if (admissible_ == 0) return {};
-  return index_.find(signature, admissible_, config_.detection.same_place_nodes, config_.match,
+  if (nodes == 0) return {};
+  return index_.find(signature, nodes, config_.detection.same_place_nodes, config_.match,
                      [this](const PlaceIndex::Entry& entry) -> const Signature& {
                        const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
                        return node.views[static_cast<std::size_t>(entry.view)].signature;
                      });
 }
 
-// With all admissible nodes.
-std::vector<Candidate> TopologicalMap::score_all(const Signature& signature) const {
+std::vector<Candidate> TopologicalMap::score_all(const Signature& signature, int nodes) const {
   std::vector<Candidate> candidates;
   std::vector<const PlaceDescriptor*> places;
   std::vector<std::size_t> node_of;
-  for (int id = 0; id < admissible_; ++id) {
+  for (int id = 0; id < nodes; ++id) {
     const Node& node = nodes_[static_cast<std::size_t>(id)];
     candidates.push_back({id, 0});
     if (config_.match.method != Method::context) {

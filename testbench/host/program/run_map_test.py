@@ -2,6 +2,7 @@
 
 import json
 import signal
+import sqlite3
 import subprocess
 import time
 import unittest
@@ -75,8 +76,9 @@ class Run(ProgramCase):
         self.write_sequence([0, 1, 2, 3, 4, 5, 0, 1, 2, 9])
         for threads in ("1", "2", "7"):
             self.run_program("run", "images", "--map", f"{threads}.json", "--exclude-recent", "2", "--threads", threads)
-        self.assertEqual((self.folder / "1.json").read_bytes(), (self.folder / "2.json").read_bytes())
-        self.assertEqual((self.folder / "1.json").read_bytes(), (self.folder / "7.json").read_bytes())
+        one, two, seven = (self.run_program("map", "export", f"{n}.json", "--format", "json") for n in (1, 2, 7))
+        self.assertEqual(one, two)
+        self.assertEqual(one, seven)
         self.run_program("run", "images", "--map", "n.json", "--threads", "-1", code=2)
         self.assertIn("--threads", self.errors)
 
@@ -84,24 +86,67 @@ class Run(ProgramCase):
         folder = self.write_sequence([0, 1, 2, 3, 4, 5, 6, 7])
         (folder / "1.png").write_text("no image")
         self.run_program("run", "images", "--map", "m.json", "--skip-bad", "--max-images", "3")
-        nodes = self.json("m.json")["map"]["nodes"]
         self.assertIn("skipped images/1.png", self.errors)
+        nodes = json.loads(self.run_program("map", "export", "m.json", "--format", "json"))["nodes"]
         self.assertEqual([v["name"] for n in nodes for v in n["views"]], [f"images/{i}.png" for i in (0, 2, 3)])
 
-    def test_bad_images_leave_the_map_as_it_was(self):
+    def test_a_bad_image_ends_the_run_and_the_images_before_it_are_kept(self):
         folder = self.write_sequence([0, 1, 2])
-        self.run_program("run", "images", "--map", "m.json")
-        (folder / "3.png").write_text("no image")
-        self.fails("run", "images", "--map", "m.json", says="3.png")
-        self.fails("run", "images", "--map", "new.json", says="3.png")
+        (folder / "1.png").write_text("no image")
+        self.run_program("run", "images", "--map", "m.json", code=1)
+        self.assertIn("1.png", self.errors)
+        self.assertIn("; the 1 images before it are in m.json\n", self.errors)
+        self.assertEqual(self.errors.count("\n"), 1)
+        self.write_image("images/1.png", scene(1))
+        printed = self.run_program("run", "images", "--map", "m.json", "--resume")
+        self.assertIn("m.json: 3 images, 3 nodes, 2 edges", printed)
+        (folder / "0.png").write_text("no image")
+        self.fails("run", "images", "--map", "new.json", says="0.png")
         printed = self.run_program("run", "images", "--map", "new.json", "--skip-bad")
-        self.assertIn("skipped images/3.png", self.errors)
-        self.assertIn("3 images", printed)
+        self.assertIn("skipped images/0.png", self.errors)
+        self.assertIn("2 images", printed)
+
+    def test_localise_says_where_and_changes_nothing(self):
+        self.write_sequence(LAPS[:6], "first")
+        self.write_sequence([3, 4, 99, 5], "second")
+        self.run_program("run", "first", "--map", "m.json")
+        before = self.contents()
+        lines = self.run_program("run", "second", "--map", "m.json", "--localise").splitlines()
+        self.assertEqual(self.contents(), before)
+        self.assertEqual([line.split(",")[0] for line in lines[:-1]], [
+            f"located: image {i} (second/{i}.png) is at node {n} (first/{n}.png)" for i, n in ((0, 3), (1, 4), (3, 5))
+        ])
+        self.assertEqual(lines[-1], "m.json: 3 of 4 images located")
+        events = [json.loads(line) for line in self.run_program("run", "second", "--map", "m.json", "--localise", "--json").splitlines()]
+        self.assertEqual([e["event"] for e in events], ["located", "located", "lost", "located", "summary"])
+        self.fails("run", "second", "--map", "gone.json", "--localise", says="gone.json: no such file")
+        self.fails("run", "second", "--map", "m.json", "--localise", "--threshold", "5", says="--threshold (map")
+
+    def test_thumbnails_are_kept(self):
+        self.write_sequence([0, 1])
+        self.run_program("run", "images", "--map", "m.json", "--thumbnails", "40")
+        with sqlite3.connect(self.folder / "m.json") as database:
+            pictures = [row[0] for row in database.execute("SELECT jpeg FROM thumbnail ORDER BY id")]
+        database.close()
+        shapes = [cv2.imdecode(np.frombuffer(p, np.uint8), cv2.IMREAD_COLOR).shape for p in pictures]
+        self.assertEqual(shapes, [(30, 40, 3)] * 2)
+
+    def test_a_second_run_on_the_same_map_is_refused_while_the_first_goes_on(self):
+        self.write_sequence(list(range(100)) * 3)
+        first = subprocess.Popen([SAILMAP, "run", "images", "--map", "m.json"], cwd=self.folder, stdout=subprocess.PIPE)
+        first.stdout.readline()
+        self.run_program("run", "images", "--map", "m.json", code=1)
+        self.assertIn("m.json: another program is writing this map", self.errors)
+        self.assertIn("nodes", self.run_program("map", "info", "m.json"))
+        first.send_signal(signal.SIGINT)
+        first.communicate(timeout=60)
+        self.assertEqual(first.returncode, 0)
 
     def test_changing_size_is_refused(self):
         self.write_sequence([0, 1])
         self.write_image("images/2.png", scene(2, 200, 120))
-        self.fails("run", "images", "--map", "m.json", says="2.png: 200x120 pixels, but the map's images are 160x120")
+        self.run_program("run", "images", "--map", "m.json", code=1)
+        self.assertIn("2.png: 200x120 pixels, but the map's images are 160x120; the 2 images before it are in m.json", self.errors)
 
     def test_sources_that_are_none(self):
         (self.folder / "empty").mkdir()
