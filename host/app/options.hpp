@@ -15,6 +15,7 @@ namespace sailmap::app {
 // Options by the JSON pointer of the configuration value they set ("/match/method").
 using OptionKeys = std::map<std::string, CLI::Option*>;
 
+// --frontend, and what the front end xrt needs.
 void add_frontend_option(CLI::App& command, std::string& frontend);
 OptionKeys add_region_options(CLI::App& command, RegionConfig& config);
 // --method and the constraints.

@@ -10,8 +10,11 @@ struct Entry {
   const char* name;
   std::unique_ptr<Frontend> (*make)();
 };
-constexpr Entry entries[] = {
-    {"fixed", make_fixed}, {"reference", make_reference}, {"quantised", make_quantised}, {"csim", make_csim}};
+constexpr Entry entries[] = {{"fixed", make_fixed},
+                             {"reference", make_reference},
+                             {"quantised", make_quantised},
+                             {"csim", make_csim},
+                             {"xrt", make_xrt}};
 
 }  // namespace
 
