@@ -1,10 +1,10 @@
 /* What the kernel sailmap_memory (hls/top/memory.cpp) shares with whoever drives it: its registers, its
- * arguments, and the report that it writes. For C99 and later and for C++: kernel, host library and bare-metal
- * programs read this file.
+ * arguments, and the report that it writes. For C99 and later and for C++: kernel, host library and
+ * bare-metal programs read this file.
  *
- * The kernel reads a frame from memory and writes its maps to memory. Addresses are physical ones, multiples of
- * 64 bytes. Pixels are four bytes each, R, G, B and one that is ignored, in raster order without padding. Maps
- * are those of front_end.hpp, words in raster order, the low byte first.
+ * The kernel reads a frame from memory and writes its maps to memory. Addresses are physical ones, multiples
+ * of 64 bytes. Pixels are four bytes each, R, G, B and one that is ignored, in raster order without padding.
+ * Maps are those of front_end.hpp, words in raster order, the low byte first.
  */
 #ifndef SAILMAP_HLS_MEMORY_REGISTERS_H
 #define SAILMAP_HLS_MEMORY_REGISTERS_H
@@ -15,8 +15,8 @@
 #define SAILMAP_MEMORY_KERNEL "sailmap_memory"
 
 enum {
-  /* Offsets in bytes from the start of the AXI4-Lite slave. An address takes two registers, the low half first;
-   * all are written as 32-bit words. */
+  /* Offsets in bytes from the start of the AXI4-Lite slave. An address takes two registers, the low half
+   * first; all are written as 32-bit words. */
   SAILMAP_CONTROL = 0x00,
   SAILMAP_PIXELS = 0x10,
   SAILMAP_INTENSITY_MAPS = 0x1c,
