@@ -1,7 +1,9 @@
 #include "memory.hpp"
 
 // Vitis links C names. Offsets of the registers are those of memory_registers.h, written out because a
-// directive takes no constants of the language; testbench/vitis/memory_test.py holds them together.
+// directive takes no constants of the language; testbench/vitis/link_test.py holds them together. In the flow
+// for kernels that v++ links (SAILMAP_VITIS_KERNEL) the tool wants to choose them itself; XRT reads them from
+// the xclbin.
 extern "C" {
 void sailmap_memory(const sailmap_memory_beat pixels[sailmap::top::frame_beats],
                     uint32_t intensity_maps[sailmap::top::map_words],
@@ -18,18 +20,20 @@ void sailmap_memory(const sailmap_memory_beat pixels[sailmap::top::frame_beats],
 #pragma HLS interface mode = m_axi port = saliency bundle = gmem5 offset = slave
 #pragma HLS interface mode = m_axi port = statistics bundle = gmem6 offset = slave
 #pragma HLS interface mode = m_axi port = report bundle = gmem7 offset = slave
-#pragma HLS interface mode = s_axilite port = pixels bundle = control offset = 0x10
-#pragma HLS interface mode = s_axilite port = intensity_maps bundle = control offset = 0x1c
-#pragma HLS interface mode = s_axilite port = colour_maps bundle = control offset = 0x28
-#pragma HLS interface mode = s_axilite port = orientation_maps bundle = control offset = 0x34
-#pragma HLS interface mode = s_axilite port = conspicuity_maps bundle = control offset = 0x40
-#pragma HLS interface mode = s_axilite port = saliency bundle = control offset = 0x4c
-#pragma HLS interface mode = s_axilite port = statistics bundle = control offset = 0x58
-#pragma HLS interface mode = s_axilite port = report bundle = control offset = 0x64
-#pragma HLS interface mode = s_axilite port = width bundle = control offset = 0x70
-#pragma HLS interface mode = s_axilite port = height bundle = control offset = 0x78
-#pragma HLS interface mode = s_axilite port = frame bundle = control offset = 0x80
-#pragma HLS interface mode = s_axilite port = return bundle = control
+#ifndef SAILMAP_VITIS_KERNEL
+#pragma HLS interface mode = s_axilite port = pixels offset = 0x10
+#pragma HLS interface mode = s_axilite port = intensity_maps offset = 0x1c
+#pragma HLS interface mode = s_axilite port = colour_maps offset = 0x28
+#pragma HLS interface mode = s_axilite port = orientation_maps offset = 0x34
+#pragma HLS interface mode = s_axilite port = conspicuity_maps offset = 0x40
+#pragma HLS interface mode = s_axilite port = saliency offset = 0x4c
+#pragma HLS interface mode = s_axilite port = statistics offset = 0x58
+#pragma HLS interface mode = s_axilite port = report offset = 0x64
+#pragma HLS interface mode = s_axilite port = width offset = 0x70
+#pragma HLS interface mode = s_axilite port = height offset = 0x78
+#pragma HLS interface mode = s_axilite port = frame offset = 0x80
+#pragma HLS interface mode = s_axilite port = return
+#endif
   sailmap::hls::memory_front_end<sailmap::top::Config>(pixels, intensity_maps, colour_maps, orientation_maps,
                                                        conspicuity_maps, saliency, statistics, report, width,
                                                        height, frame);

@@ -72,6 +72,23 @@ def configuration(job):
     ])
 
 
+def kernel_configuration(job):
+    """kernel.cfg: synthesis to an .xo that v++ links. flow_target is of the manuals from 2023.2 to 2025.2."""
+    return "\n".join([
+        f"part={job.part}",
+        "",
+        "[hls]",
+        "flow_target=vitis",
+        f"clock={job.clock}MHz",
+        f"syn.top={job.top.name}",
+        f"syn.file={job.top.source}",
+        f"syn.file_cflags={job.top.source},{job.flags} -DSAILMAP_VITIS_KERNEL",
+        "package.output.format=xo",
+        f"package.output.file={job.path(job.top.name + '.xo')}",
+        "",
+    ])
+
+
 def tcl(job):
     """hls.tcl."""
     vectors = job.path("vectors.txt")
