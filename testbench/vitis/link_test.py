@@ -3,6 +3,7 @@ the connections of the boards, and how scripts/vitis/link calls the tools."""
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -60,6 +61,39 @@ class Directives(unittest.TestCase):
         host = (ROOT / "host/src/frontends/xrt/device.hpp").read_text()
         names = re.search(r"argument_names = \{([^}]*)\}", host)[1]
         self.assertEqual(re.findall(r'"(\w+)"', names), ports)
+
+
+class Document(unittest.TestCase):
+    def setUp(self):
+        self.text = (ROOT / "docs/fpga.md").read_text()
+
+    def test_the_register_map_is_the_headers(self):
+        table = self.text.split("| offset | | offset | |")[1].split("\n\n")[0]
+        found = {}
+        for row in table.splitlines()[2:]:
+            cells = [cell.strip() for cell in row.strip("|").split("|")]
+            for offset, what in (cells[:2], cells[2:]):
+                found[re.search(r"`(\w+)`|^(control)", what).group(1) or "control"] = int(offset, 16)
+        header = (ROOT / "hls/include/sailmap/hls/memory_registers.h").read_text()
+        registers = {name.lower(): int(value, 16) for name, value in re.findall(r"SAILMAP_(\w+) = (0x\w+)", header)}
+        registers.pop("registers_end")
+        self.assertEqual(found, registers)
+
+    @unittest.skipUnless(shutil.which("gcc"), "no gcc to compile the example with")
+    def test_the_bare_metal_example_compiles(self):
+        example = re.search(r"```c\n(.*?)```", self.text, re.DOTALL)[1]
+        with tempfile.TemporaryDirectory() as folder:
+            # What AMD's standalone library declares of this.
+            Path(folder, "xil_cache.h").write_text("#include <stdint.h>\ntypedef uintptr_t UINTPTR;\n"
+                                                   "void Xil_DCacheFlushRange(UINTPTR, uint32_t);\n"
+                                                   "void Xil_DCacheInvalidateRange(UINTPTR, uint32_t);\n")
+            Path(folder, "xparameters.h").write_text(
+                "#define XPAR_SAILMAP_MEMORY_0_S_AXI_CONTROL_BASEADDR 0x43C00000\n")
+            Path(folder, "example.c").write_text(example)
+            run = subprocess.run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Wno-int-to-pointer-cast", "-Werror",
+                                  "-fsyntax-only", f"-I{folder}", f"-I{ROOT}/hls/include", f"-I{ROOT}/hls/bare_metal",
+                                  Path(folder, "example.c")], capture_output=True, text=True, check=False)
+            self.assertEqual(run.returncode, 0, run.stderr)
 
 
 class Boards(unittest.TestCase):

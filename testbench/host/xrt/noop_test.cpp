@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <thread>
 
@@ -176,7 +177,28 @@ TEST_F(Noop, WrongFilesAndDevices) {
   others.emplace_back("more");
   EXPECT_EQ(fault_of_bytes(xclbin_of("sailmap_memory", others)),
             bad + ": its kernel sailmap_memory has other arguments");
-  EXPECT_THAT(fault_of(xclbin, 7), HasSubstr("device 7 cannot be opened: "));
+}
+
+// Without emulation: this machine has no card, or at least not so many. In processes of their own, for XRT
+// asks what to emulate once.
+TEST_F(Noop, NoSuchCard) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto say = [this] {
+    unsetenv("XCL_EMULATION_MODE");
+    std::cerr << fault_of(xclbin, 900) << '\n';
+    std::exit(0);
+  };
+  EXPECT_EXIT(say(), ::testing::ExitedWithCode(0), "^device 900 cannot be opened: [^\n]+\n$");
+}
+
+TEST_F(Noop, XrtWithoutItsLibraries) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto say = [this] {
+    setenv("XILINX_XRT", "/nonexistent", 1);
+    std::cerr << fault_of(xclbin) << '\n';
+    std::exit(0);
+  };
+  EXPECT_EXIT(say(), ::testing::ExitedWithCode(0), "^device 0 cannot be opened: [^\n]+\n$");
 }
 
 TEST_F(Noop, SectionsOutsideTheFile) {
