@@ -41,3 +41,10 @@ void sailmap_gains(sailmap::hls::stream<uint32_t>& statistics, sailmap::hls::str
 void sailmap_normalise(sailmap::hls::stream<uint32_t>& gains, sailmap::hls::stream<uint64_t>& maps,
                        sailmap::hls::stream<uint64_t>& maps_out, sailmap::hls::stream<uint32_t>& sum_out,
                        uint16_t width, uint16_t height);
+void sailmap_signature(sailmap::hls::stream<uint32_t>& intensity_maps,
+                       sailmap::hls::stream<uint64_t>& colour_maps,
+                       sailmap::hls::stream<uint64_t>& orientation_maps,
+                       sailmap::hls::stream<uint64_t>& conspicuity_maps,
+                       sailmap::hls::stream<uint16_t>& saliency, sailmap::hls::stream<uint32_t>& statistics,
+                       sailmap::hls::stream<uint32_t>& record, uint16_t width, uint16_t height,
+                       uint16_t max_regions, uint32_t stop_ratio, uint16_t box_side);

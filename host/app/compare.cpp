@@ -217,6 +217,9 @@ void add_compare(CLI::App& app) {
   add_map_options(*command, options->config);
   command->callback([options, command] {
     settle_thresholds(*command, options->config);
+    for (const std::string& frontend : {options->tested, options->expected}) {
+      check_signature(frontend, options->config.regions);
+    }
     compare(*options);
   });
 }

@@ -12,13 +12,12 @@ void describe_into(const std::string& name, cv::Mat image, Frontend& frontend, c
                    DescribedImage& out) {
   out.image = std::move(image);
   try {
-    frontend.compute(view_of(out.image), out.maps);
+    frontend.describe(view_of(out.image), regions, out.maps, out.signature);
   } catch (const DeviceError&) {
     throw;  // no fault of the image
   } catch (const Error& fault) {
     throw Error(name + ": " + fault.what());
   }
-  out.signature = make_signature(out.maps, regions);
 }
 
 DescribedImage describe_image(const std::string& name, cv::Mat image, Frontend& frontend,

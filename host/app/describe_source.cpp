@@ -11,6 +11,7 @@
 #include "image_pipeline.hpp"
 #include "progress.hpp"
 #include "sailmap/error.hpp"
+#include "sailmap/frontend.hpp"
 #include "sailmap/image_source.hpp"
 
 namespace sailmap::app {
@@ -89,6 +90,7 @@ int count_images(const std::string& source, const Selection& selection) {
 
 Described<Signature> describe_source(const std::string& source, const Selection& selection,
                                      const std::string& frontend, const RegionConfig& regions) {
+  check_signature(frontend, regions);
   const auto images = open_selected(source, selection);
   const Rate rate;
   Progress progress("describe", images->size());

@@ -112,6 +112,7 @@ void detect_one(const std::string& path, const fs::path& folder, Frontend& front
 }
 
 void detect(const Options& options) {
+  check_signature(options.frontend, options.regions);
   const auto frontend = make_frontend(options.frontend);
   const std::vector<fs::path> folders = result_folders(options.images, options.out);
   Progress progress("detect", static_cast<int>(options.images.size()));

@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <opencv2/core/utility.hpp>
 #include <optional>
@@ -56,6 +57,8 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that grows over the user's limit is then an error like a full disk, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     spdlog::set_default_logger(spdlog::stderr_color_st("sailmap"));
     spdlog::set_pattern("sailmap: %^%l%$: %v");

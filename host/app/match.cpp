@@ -90,6 +90,7 @@ void add_match(CLI::App& app) {
   add_detection_options(*command, options->config.detection);
   command->callback([options, command] {
     settle_thresholds(*command, options->config);
+    check_signature(options->frontend, options->config.regions);
     match_images(*options);
   });
 }

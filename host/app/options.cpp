@@ -119,6 +119,10 @@ OptionKeys add_region_options(CLI::App& command, RegionConfig& config) {
   keys["/regions/descriptor"] =
       add_choice(command, "--descriptor", config.descriptor, "Descriptor: eq. 3-4 or eq. 5 of the paper",
                  {DescriptorKind::conspicuity, DescriptorKind::background});
+  keys["/regions/signature"] =
+      add_choice(command, "--signature", config.signature,
+                 "Who makes the signature: host, in floating point, or chip, as the signature kernel does",
+                 {SignatureMaker::host, SignatureMaker::chip});
   for (const auto& [key, option] : keys) option->group(regions_group);
   for (const char* key :
        {"/regions/max_regions", "/regions/stop_ratio", "/regions/box_side", "/regions/inhibition_radius"}) {

@@ -115,6 +115,7 @@ void extend(const Options& options, const OptionKeys& given) {
     map.begin_session();
     writer.begin_session(stored, options.source);
   }
+  const int before = map.images();
   RunCounts counts;
   Committer committer(writer);
   run.use = [&](const PipelineImage& image, Progress& progress) {
@@ -131,10 +132,10 @@ void extend(const Options& options, const OptionKeys& given) {
   try {
     run_source(*source, run, counts);
   } catch (const Error& fault) {
-    if (counts.images == 0) throw;
     writer.finish();
-    throw Error(
-        fmt::format("{}; the {} images before it are in {}", fault.what(), counts.images, options.map));
+    const int kept = writer.committed() - before;
+    if (kept == 0) throw;
+    throw Error(fmt::format("{}; the {} images before it are in {}", fault.what(), kept, options.map));
   }
   if (counts.images == 0 && known.empty()) throw Error(options.source + ": no image could be read");
   writer.note_session(counts.skipped, counts.seconds);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sailmap/error.hpp"
+#include "sailmap/frontend.hpp"
 #include "sailmap/xrt.hpp"
 
 namespace sailmap::app {
@@ -38,6 +39,7 @@ void skip(const std::exception_ptr& fault, bool skip_bad, Progress& progress) {
 }  // namespace
 
 void run_source(ImageSource& source, const SourceRun& run, RunCounts& counts) {
+  check_signature(run.frontend, run.regions);
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);
   const auto start = std::chrono::steady_clock::now();

@@ -57,10 +57,9 @@ void append_statistics(const MapStatistics& statistics, std::vector<std::uint32_
   words.push_back(static_cast<std::uint32_t>(statistics.maxima));
 }
 
-inline csim::FrontEndWords expected(const csim::Frame& frame) {
+// What the front end puts out of a frame, its maps being the quantised reference's.
+inline csim::FrontEndWords words_of(const ref::Model& model) {
   namespace point = ref::point;
-  using ref::Quantised;
-  const ref::Model model = ref::compute<Quantised>(view(frame));
   const auto& f = model.features;
   const auto& c = model.conspicuities;
   csim::FrontEndWords words;
@@ -88,6 +87,10 @@ inline csim::FrontEndWords expected(const csim::Frame& frame) {
   append_statistics<point::colour_conspicuity>(model.conspicuity_statistics[1], words.statistics);
   append_statistics<point::orientation_conspicuity>(model.conspicuity_statistics[2], words.statistics);
   return words;
+}
+
+inline csim::FrontEndWords expected(const csim::Frame& frame) {
+  return words_of(ref::compute<ref::Quantised>(view(frame)));
 }
 
 }  // namespace sailmap::testing

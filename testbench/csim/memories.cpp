@@ -75,6 +75,13 @@ void print_preset(const char* name) {
   print_sum<Preset<8, true>>(name);
 }
 
+template <class Config>
+void print_signature(const char* name) {
+  Sum sum;
+  for (const Memory& memory : memories::of_signature<Config>()) sum.add(memory);
+  std::printf("%-6s %10.1f %8.1f %6d\n", name, sum.kilobits, sum.block_rams, sum.luts);
+}
+
 }  // namespace
 
 int main() {
@@ -87,4 +94,9 @@ int main() {
   print_preset<hls::Vga>("VGA");
   print_preset<hls::Hd720>("720p");
   print_preset<hls::Hd1080>("1080p");
+  std::printf("\nthe signature, beside those\n%-6s %10s %8s %6s\n", "preset", "kbit", "BRAM36", "LUT");
+  print_signature<hls::Qvga<8>>("QVGA");
+  print_signature<hls::Vga<8>>("VGA");
+  print_signature<hls::Hd720<8>>("720p");
+  print_signature<hls::Hd1080<8>>("1080p");
 }

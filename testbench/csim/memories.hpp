@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sailmap/hls/front_end.hpp"
+#include "sailmap/hls/signature.hpp"
 
 namespace sailmap::memories {
 
@@ -135,6 +136,23 @@ std::vector<Memory> of_front_end() {
   add_level<Config, 4>(all);
   add_stores<Config>(all);
   return all;
+}
+
+// Of the signature, beside those of the front end.
+template <class Config>
+std::vector<Memory> of_signature() {
+  using namespace hls;
+  using Kept = KeptMaps<Config>;
+  return {memory<decltype(Kept::intensity)>("signature: two intensity maps"),
+          memory<decltype(Kept::colours)>("signature: four colour maps"),
+          memory<decltype(Kept::orientations)>("signature: four orientation maps"),
+          memory<decltype(Kept::conspicuity_low)>("signature: C_I and C_C"),
+          memory<decltype(Kept::conspicuity_high)>("signature: C_O"),
+          memory<decltype(KeptSaliency<Config>::words)>("signature: saliency"),
+          memory<decltype(KeptSaliency<Config>::highest)>("signature: peaks of the rows"),
+          memory<decltype(Kept::mantissas)>("signature: gains", 2),
+          memory<decltype(FoundRegions<Config>::places)>("signature: places of the regions"),
+          memory<decltype(FoundRegions<Config>::values)>("signature: saliency of the regions")};
 }
 
 }  // namespace sailmap::memories

@@ -39,6 +39,13 @@ TEST(Memories, StoresOfVga) {
   EXPECT_EQ(bits(of_front_end<hls::Vga<8, true>>(), "store"), 2 * pixels * (13 * 16 + 2 + 3 * 4));
 }
 
+// By hand: thirteen maps and saliency of 16 bits a pixel, and 32 bits a row.
+TEST(Memories, SignatureOfVga) {
+  constexpr long pixels = 160 * 120;
+  EXPECT_EQ(bits(of_signature<hls::Vga<8>>(), "signature"),
+            pixels * 14 * 16 + 120 * 32 + 2 * 10 * 32 + 20 * (32 + 16));
+}
+
 // By hand, five channels of 16 bits: 30 rows of 160 and 10 of 80, and one row more of each.
 TEST(Memories, DelaysOfVga) {
   EXPECT_EQ(bits(of_front_end<hls::Vga<4>>(), "level 2: delay of the c") +

@@ -5,6 +5,7 @@
 
 #include "foreign_file.hpp"
 #include "sailmap/map_export.hpp"
+#include "sailmap/map_maintenance.hpp"
 #include "sailmap/map_store.hpp"
 
 namespace {
@@ -87,6 +88,21 @@ StoredMap saved_and_loaded(const std::filesystem::path& path, const StoredMap& s
   return store->load();
 }
 
+// What checking says of a file agrees with whether it can be loaded; what is recovered of it is sound.
+void check_and_recover(const std::filesystem::path& path, bool loads) {
+  const auto checked = fuzz::read_foreign(path, [&] { return check_map(path); });
+  if (checked) {
+    for (const std::string& fault : checked->faults) demand(fuzz::is_one_line(fault), "a fault is one line");
+    demand(!checked->faults.empty() || loads, "a sound map can be loaded");
+  }
+  const std::filesystem::path rescued = path.string() + ".rescued";
+  const auto recovery = fuzz::read_foreign("", [&] { return recover_map(path, rescued); });
+  if (recovery) {
+    demand(check_map(rescued).faults.empty(), "what is recovered is sound");
+    std::filesystem::remove(rescued);
+  }
+}
+
 // The last image once more, or a flat one.
 void continue_map(const std::filesystem::path& path, TopologicalMap& map) {
   const int nodes = static_cast<int>(map.nodes().size());
@@ -102,6 +118,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static fuzz::ForeignFile file(".map");
   const std::filesystem::path& path = file.hold(data, size);
   auto stored = fuzz::read_foreign(path, [&] { return open_map_store(path)->load(); });
+  check_and_recover(path, stored.has_value());
   if (!stored) return 0;
   check(stored->map);
   const StoredMap again = saved_and_loaded(path, *stored);

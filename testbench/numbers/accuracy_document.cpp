@@ -39,6 +39,8 @@ constexpr const char* reading = R"(
   not, and no finite word would do: eq. 1 divides by sqrt(m), and a peak within rounding of half the maximum, or of its
   neighbour, counts or does not. The second paragraph of each sequence puts that in proportion: the exact model against itself
   when every channel of every pixel changes by at most one grey level.
+- **Signature on the chip.** Regions and saliency are exact. For *every* image an entry of a descriptor is off eq. 3-4 in real numbers, on
+  the same maps, by at most @ds@ of its value and @db@ more.
 - **Regions.** What place recognition sees is the regions: their agreement is above.
 - **Overflow.** None is possible (`hls/ranges.hpp`), and the quantised reference throws if one happened.
 )";
@@ -84,6 +86,16 @@ void write_recognition(std::ostream& out, const std::filesystem::path& folder, i
       << exclude_recent << " newest images: `paper_weighted` " << quantised.paper_weighted << " quantised, "
       << exact.paper_weighted << " exact; `paper` " << quantised.paper << " quantised, " << exact.paper
       << " exact.\n\n";
+  // The fast front end, which equals the quantised one bit for bit.
+  const Recognition chip = recognise(folder, exclude_recent, "fixed", SignatureMaker::chip);
+  const SignatureDifference difference = compare_signatures(folder / "images");
+  out << "Signature on the chip against the host's, of the same quantised maps: " << difference.regions
+      << " regions, " << difference.other_regions
+      << " at another place or of another saliency; entries of descriptors differ by at most "
+      << std::scientific << std::setprecision(1) << difference.largest_entry << std::fixed
+      << std::setprecision(5) << ". Average precision: `paper_weighted` " << chip.paper_weighted << " chip, "
+      << quantised.paper_weighted << " host; `paper` " << chip.paper << " chip, " << quantised.paper
+      << " host.\n\n";
 }
 
 void write_sequence(std::ostream& out, const Sequence& sequence, const std::filesystem::path& data) {
@@ -115,6 +127,8 @@ std::string accuracy_document(const std::filesystem::path& data) {
   text = replaced(text, "@if@", accuracy::intensity_feature_floor);
   text = replaced(text, "@cf@", accuracy::colour_feature_floor);
   text = replaced(text, "@of@", accuracy::orientation_feature_floor);
+  text = replaced(text, "@ds@", accuracy::descriptor_share);
+  text = replaced(text, "@db@", accuracy::descriptor_bound);
   text = replaced(text, "@half@", accuracy::lsb<hls::formats::colour_feature>() / 2);
   return out.str() + text.substr(1);
 }

@@ -119,6 +119,19 @@ TEST_P(Recognises, AsTheExactReference) {
   EXPECT_NEAR(quantised.paper, exact.paper, accuracy::average_precision_change);
 }
 
+TEST_P(Recognises, WithTheSignatureOfTheChipAsWithTheHosts) {
+  const auto& [name, exclude_recent] = GetParam();
+  SAILMAP_NEEDS_DATA(name);
+  const SignatureDifference difference = compare_signatures(data_folder() / name / "images");
+  EXPECT_GT(difference.regions, 0);
+  EXPECT_EQ(difference.other_regions, 0);
+  EXPECT_LE(difference.largest_entry, accuracy::descriptor_photographs);
+  const Recognition host = recognise(data_folder() / name, exclude_recent, "fixed");
+  const Recognition chip = recognise(data_folder() / name, exclude_recent, "fixed", SignatureMaker::chip);
+  EXPECT_NEAR(chip.paper_weighted, host.paper_weighted, accuracy::chip_average_precision_change);
+  EXPECT_NEAR(chip.paper, host.paper, accuracy::chip_average_precision_change);
+}
+
 INSTANTIATE_TEST_SUITE_P(Real, Recognises, ::testing::ValuesIn(sequences),
                          [](const auto& test) { return std::string(test.param.name); });
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "csim/expected.hpp"
+#include "csim/expected_signature.hpp"
 #include "csim/frames.hpp"
 #include "ppm.hpp"
 #include "sailmap/hls/memory_registers.h"
@@ -34,6 +35,11 @@ class Call {
   Call() { text_ << "call\n"; }
   void size(const csim::Frame& frame) {
     text_ << "scalar width " << frame.width << "\nscalar height " << frame.height << '\n';
+  }
+  void parameters(const ref::RegionParameters& parameters) {
+    text_ << "scalar max_regions " << parameters.max_regions << "\nscalar stop_ratio "
+          << std::lround(65536 * parameters.stop_ratio) << "\nscalar box_side " << parameters.box_side
+          << '\n';
   }
   void scalar(const std::string& port, std::uint32_t value) {
     text_ << "scalar " << port << ' ' << value << '\n';
@@ -281,15 +287,37 @@ void normalise(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
   call.words("sum_out", raw_words<point::colour_conspicuity_sum>(sum));
 }
 
-void front_end(Call& call, const csim::Frame& frame, std::size_t beat) {
-  const csim::FrontEndWords words = expected(frame);
-  components(call, frame, beat);
+void map_words(Call& call, const csim::FrontEndWords& words) {
   call.words("intensity_maps", words.intensity_maps);
   call.words("colour_maps", words.colour_maps);
   call.words("orientation_maps", words.orientation_maps);
   call.words("conspicuity_maps", words.conspicuity_maps);
   call.words("saliency", words.saliency);
   call.words("statistics", words.statistics);
+}
+
+void front_end(Call& call, const csim::Frame& frame, std::size_t beat) {
+  components(call, frame, beat);
+  map_words(call, expected(frame));
+}
+
+// Every region that there is room for, whatever its saliency, so that the most is simulated.
+constexpr ref::RegionParameters all_regions = {20, 0, 10};
+
+void record(Call& call, const csim::Frame& frame, const ref::Model& model) {
+  call.parameters(all_regions);
+  call.words("record", expected_record(model, frame.width, frame.height, all_regions));
+}
+
+void signature(Call& call, const csim::Frame& frame, const Stages& /*stages*/) {
+  const ref::Model model = ref::compute<Quantised>(view(frame));
+  map_words(call, words_of(model));
+  record(call, frame, model);
+}
+
+void signature_front_end(Call& call, const csim::Frame& frame, std::size_t beat) {
+  components(call, frame, beat);
+  record(call, frame, ref::compute<Quantised>(view(frame)));
 }
 
 // Beats of AXI4-Stream video: {R, B, G} of each pixel from high to low byte, the left pixel low; in
@@ -362,7 +390,8 @@ const std::map<std::string, StageWriter> stage_writers = {{"sailmap_channels", c
                                                           {"sailmap_join_pairs", join_pairs},
                                                           {"sailmap_store", store},
                                                           {"sailmap_gains", gains},
-                                                          {"sailmap_normalise", normalise}};
+                                                          {"sailmap_normalise", normalise},
+                                                          {"sailmap_signature", signature}};
 
 std::vector<csim::Frame> three_frames() {
   std::mt19937 random(20);
@@ -372,7 +401,8 @@ std::vector<csim::Frame> three_frames() {
 void write(const std::string& top, std::size_t beat, const std::string& path,
            const std::vector<csim::Frame>& frames) {
   const auto writer = stage_writers.find(top);
-  const bool whole = top == "sailmap_front_end" || top == "sailmap_axi" || top == "sailmap_memory";
+  const bool whole = top == "sailmap_front_end" || top == "sailmap_signature_front_end" ||
+                     top == "sailmap_axi" || top == "sailmap_memory";
   if (writer == stage_writers.end() && !whole) throw std::runtime_error("unknown top " + top);
   if (beat != 1 && beat != 2 && beat != 4 && beat != 8) throw std::runtime_error("a beat is 1, 2, 4 or 8");
   std::ofstream file(path);
@@ -383,6 +413,8 @@ void write(const std::string& top, std::size_t beat, const std::string& path,
     if (top != "sailmap_gains") call.size(frame);
     if (top == "sailmap_front_end") {
       front_end(call, frame, beat);
+    } else if (top == "sailmap_signature_front_end") {
+      signature_front_end(call, frame, beat);
     } else if (top == "sailmap_axi") {
       axi(call, frame, beat, count);
     } else if (top == "sailmap_memory") {

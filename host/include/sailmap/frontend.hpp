@@ -8,6 +8,7 @@
 
 #include "sailmap/maps.hpp"
 #include "sailmap/ref/plane.hpp"
+#include "sailmap/signature.hpp"
 
 namespace sailmap {
 
@@ -19,10 +20,18 @@ class Frontend {
   // Fills `maps`, reusing its memory. Throws Error when a side is outside 64..4096 pixels. Not safe to call
   // from two threads at once on one object: give each thread its own.
   virtual void compute(const ImageView& image, Maps& maps) = 0;
+  // The image's signature, and its maps where the front end hands them out. Throws Error as compute and
+  // make_signature do. A front end that runs on hardware, or simulates it, makes the signature there when
+  // `regions` says so; others with make_signature.
+  virtual void describe(const ImageView& image, const RegionConfig& regions, Maps& maps,
+                        Signature& signature);
 };
 
 // The names make_frontend takes, the default first.
 std::vector<std::string> frontend_names();
+
+// Throws Error, saying why, when that front end cannot make signatures so configured: SignatureMaker::chip.
+void check_signature(std::string_view frontend, const RegionConfig& regions);
 
 // Throws Error when there is no front end of that name.
 std::unique_ptr<Frontend> make_frontend(std::string_view name);

@@ -39,6 +39,11 @@ enum class DescriptorKind {
   background    // eq. 5 (VOCUS): against the mean outside the box
 };
 
+enum class SignatureMaker {
+  host,  // in floating point, from any maps
+  chip   // what the signature kernel of the hardware says, bit for bit; check_chip_regions says what it does
+};
+
 struct RegionConfig {
   int max_regions = 20;      // 1 ..
   double stop_ratio = 0.25;  // stop when S <= MSR * stop_ratio; 0 ..  1
@@ -46,6 +51,7 @@ struct RegionConfig {
   Inhibition inhibition = Inhibition::box;
   double inhibition_radius = 5;  // disk: radius; gaussian: sigma; base-level pixels; > 0
   DescriptorKind descriptor = DescriptorKind::conspicuity;
+  SignatureMaker signature = SignatureMaker::host;
   bool describe_place = false;  // fill Signature::place too, which the method `context` compares
 };
 
@@ -66,7 +72,13 @@ std::vector<Peak> find_peaks(const Map& saliency, const RegionConfig& config);
 // Eq. 3-4 or eq. 5 over the box.
 Descriptor describe(const Maps& maps, const Box& box, DescriptorKind kind);
 
-// Eq. 6: peaks, boxes and descriptors together.
+// Throws Error, naming the parameter, when the hardware makes no signatures so configured: it has the box,
+// eq. 3-4, at most 20 regions of 2 to 16 pixels, a stop ratio that is a multiple of 2^-16, and no place
+// descriptor, which needs the maps.
+void check_chip_regions(const RegionConfig& config);
+
+// Eq. 6: peaks, boxes and descriptors together. Throws Error when the configuration is out of range, or is
+// for the hardware and the maps are not its raw integers.
 Signature make_signature(const Maps& maps, const RegionConfig& config);
 
 }  // namespace sailmap

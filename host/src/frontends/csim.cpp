@@ -5,7 +5,9 @@
 
 #include "frontends.hpp"
 #include "packed_maps.hpp"
+#include "sailmap/csim/signature.hpp"
 #include "sailmap/csim/simulate.hpp"
+#include "signature_record.hpp"
 
 namespace sailmap {
 namespace {
@@ -26,15 +28,33 @@ class Csim : public Frontend {
  public:
   [[nodiscard]] std::string_view name() const override { return "csim"; }
 
-  void compute(const ImageView& image, Maps& maps) override {
+  void compute(const ImageView& image, Maps& maps) override { simulate(image, maps); }
+
+  void describe(const ImageView& image, const RegionConfig& regions, Maps& maps,
+                Signature& signature) override {
+    const csim::FrontEndWords words = simulate(image, maps);
+    if (regions.signature == SignatureMaker::host) {
+      signature = make_signature(maps, regions);
+      return;
+    }
+    const ChipParameters asked = chip_parameters(regions);
+    csim::Scheduler scheduler;
+    const std::vector<std::uint32_t> record = csim::simulate_signature(
+        words, image.width, image.height, {asked.max_regions, asked.stop_ratio, asked.box_side}, scheduler);
+    signature = signature_of_record(record, image.width, image.height);
+  }
+
+ private:
+  // Fills the maps; returns what they were made of.
+  static csim::FrontEndWords simulate(const ImageView& image, Maps& maps) {
     check_image_size(image);
     const std::array<csim::Frame, 1> frames = {frame_of(image)};
     csim::Scheduler scheduler;
-    const csim::FrontEndWords words =
-        csim::simulate(frames, csim::widest_beat(image.width), scheduler).front();
+    csim::FrontEndWords words = csim::simulate(frames, csim::widest_beat(image.width), scheduler).front();
     unpack({words.intensity_maps, words.colour_maps, words.orientation_maps, words.conspicuity_maps,
             words.saliency, words.statistics},
            image.width, image.height, maps);
+    return words;
   }
 };
 

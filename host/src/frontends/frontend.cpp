@@ -9,14 +9,32 @@ namespace {
 struct Entry {
   const char* name;
   std::unique_ptr<Frontend> (*make)();
+  bool has_raw_maps;  // the hardware's integers
 };
-constexpr Entry entries[] = {{"fixed", make_fixed},
-                             {"reference", make_reference},
-                             {"quantised", make_quantised},
-                             {"csim", make_csim},
-                             {"xrt", make_xrt}};
+constexpr Entry entries[] = {{"fixed", make_fixed, true},
+                             {"reference", make_reference, false},
+                             {"quantised", make_quantised, true},
+                             {"csim", make_csim, true},
+                             {"xrt", make_xrt, true}};
 
 }  // namespace
+
+void Frontend::describe(const ImageView& image, const RegionConfig& regions, Maps& maps,
+                        Signature& signature) {
+  compute(image, maps);
+  signature = make_signature(maps, regions);
+}
+
+void check_signature(std::string_view frontend, const RegionConfig& regions) {
+  if (regions.signature != SignatureMaker::chip) return;
+  check_chip_regions(regions);
+  for (const Entry& entry : entries) {
+    if (frontend == entry.name && !entry.has_raw_maps) {
+      throw Error("signature on the chip: the front end '" + std::string(frontend) +
+                  "' computes in floating point");
+    }
+  }
+}
 
 std::vector<std::string> frontend_names() {
   std::vector<std::string> names;

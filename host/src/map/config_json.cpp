@@ -43,6 +43,14 @@ DescriptorKind descriptor_kind_from_name(std::string_view text) {
   throw Error("no descriptor '" + std::string(text) + "'; there are: conspicuity, background");
 }
 
+std::string_view name(SignatureMaker maker) { return maker == SignatureMaker::host ? "host" : "chip"; }
+
+SignatureMaker signature_maker_from_name(std::string_view text) {
+  if (text == "host") return SignatureMaker::host;
+  if (text == "chip") return SignatureMaker::chip;
+  throw Error("no signature by '" + std::string(text) + "'; there are: host, chip");
+}
+
 ordered_json to_json(const MapConfig& config) {
   const RegionConfig& r = config.regions;
   const MatchConfig& m = config.match;
@@ -53,7 +61,8 @@ ordered_json to_json(const MapConfig& config) {
             {"box_side", r.box_side},
             {"inhibition", name(r.inhibition)},
             {"inhibition_radius", r.inhibition_radius},
-            {"descriptor", name(r.descriptor)}}},
+            {"descriptor", name(r.descriptor)},
+            {"signature", name(r.signature)}}},
           {"match",
            {{"method", name(m.method)},
             {"search_radius", m.search_radius},
@@ -80,6 +89,10 @@ MapConfig map_config_from_json(const ordered_json& json) {
   config.regions.inhibition = inhibition_from_name(r.at("inhibition").get<std::string>());
   r.at("inhibition_radius").get_to(config.regions.inhibition_radius);
   config.regions.descriptor = descriptor_kind_from_name(r.at("descriptor").get<std::string>());
+  // Not in maps made before the hardware made signatures.
+  if (r.contains("signature")) {
+    config.regions.signature = signature_maker_from_name(r.at("signature").get<std::string>());
+  }
   const auto& m = json.at("match");
   config.match.method = method_from_name(m.at("method").get<std::string>());
   config.regions.describe_place = config.match.method == Method::context;

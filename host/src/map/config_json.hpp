@@ -21,5 +21,7 @@ std::string_view name(Inhibition inhibition);
 Inhibition inhibition_from_name(std::string_view text);  // throws Error
 std::string_view name(DescriptorKind kind);
 DescriptorKind descriptor_kind_from_name(std::string_view text);  // throws Error
+std::string_view name(SignatureMaker maker);
+SignatureMaker signature_maker_from_name(std::string_view text);  // throws Error
 
 }  // namespace sailmap

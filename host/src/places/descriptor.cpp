@@ -1,6 +1,7 @@
 // Spec section 8: the ten-number descriptor of a region, and the signature of an image.
 #include <array>
 
+#include "chip_signature.hpp"
 #include "sailmap/signature.hpp"
 
 namespace sailmap {
@@ -43,6 +44,7 @@ Descriptor describe(const Maps& maps, const Box& box, DescriptorKind kind) {
 }
 
 Signature make_signature(const Maps& maps, const RegionConfig& config) {
+  if (config.signature == SignatureMaker::chip) return chip_signature(maps, config);
   Signature signature{maps.image_width, maps.image_height, {}};
   const std::vector<Peak> peaks = find_peaks(maps.saliency, config);
   signature.regions.reserve(peaks.size());

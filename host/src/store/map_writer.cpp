@@ -58,6 +58,20 @@ struct MapWriter::State {
     transaction->commit();
     transaction.reset();
     is_new = false;
+    committed = images;
+  }
+
+  // Does `work`; when it fails, what was not committed is dropped, and nothing more can be written.
+  template <class Work>
+  void attempt(const Work& work) {
+    if (failed) return;
+    try {
+      with_file(path, work);
+    } catch (...) {
+      failed = true;
+      transaction.reset();
+      throw;
+    }
   }
 
   std::filesystem::path path;
@@ -68,7 +82,9 @@ struct MapWriter::State {
   std::optional<SQLite::Transaction> transaction;
   SessionRow session;
   std::string frontend;
-  int images = 0;  // of the map that are in the file
+  bool failed = false;
+  int images = 0;     // of the map that are in the file or on their way to it
+  int committed = 0;  // that are in it
   std::size_t nodes = 0;
   std::size_t edges = 0;
 };
@@ -91,7 +107,7 @@ std::optional<StoredMap> MapWriter::load() const {
 
 void MapWriter::begin_session(const StoredMap& stored, const std::string& source) {
   State& state = *state_;
-  state.images = stored.map.images();
+  state.images = state.committed = stored.map.images();
   state.nodes = stored.map.nodes().size();
   state.edges = stored.map.edges().size();
   state.frontend = stored.frontend;
@@ -106,7 +122,7 @@ void MapWriter::resume_session(const StoredMap& stored) {
 }
 
 void MapWriter::append(const TopologicalMap& map, const Signature& signature, const ImageNote& note) {
-  with_file(state_->path, [&] {
+  state_->attempt([&] {
     State& state = *state_;
     const bool first_ever = state.is_new && !state.row_writer;
     RowWriter& rows = state.rows();
@@ -132,15 +148,15 @@ void MapWriter::note_session(int skipped, double seconds) {
 }
 
 void MapWriter::commit() {
-  with_file(state_->path, [&] { state_->commit(); });
+  state_->attempt([&] { state_->commit(); });
 }
 
+int MapWriter::committed() const { return state_->committed; }
+
 void MapWriter::finish() {
-  with_file(state_->path, [&] {
-    state_->commit();
-    state_->row_writer.reset();
-    leave_one_file(*state_->connection);
-  });
+  commit();
+  state_->row_writer.reset();
+  leave_one_file(*state_->connection);
 }
 
 }  // namespace sailmap

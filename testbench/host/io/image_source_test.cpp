@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "error_matchers.hpp"
+#include "io/video_source.hpp"
+#include "sailmap/error.hpp"
 #include "temporary_folder.hpp"
 #include "test_images.hpp"
 
@@ -90,6 +92,7 @@ TEST_F(VideoSource, GivesItsFramesByNumber) {
     EXPECT_TRUE(testing::alike(frame.image, cv::Mat(120, 160, CV_8UC3, cv::Scalar::all(10 * i)), 3)) << i;
   }
   EXPECT_FALSE(source->next().has_value());
+  EXPECT_EQ(source->early_end(), std::nullopt);
 }
 
 TEST_F(VideoSource, CutShortEndsEarly) {
@@ -100,6 +103,20 @@ TEST_F(VideoSource, CutShortEndsEarly) {
   EXPECT_GT(frames.size(), 2U);
   EXPECT_LT(frames.size(), 20U);
   EXPECT_FALSE(source->next().has_value());
+  EXPECT_EQ(source->early_end(),
+            cut.string() + ": ends after " + std::to_string(frames.size()) + " frames, its header says 20");
+}
+
+TEST_F(VideoSource, ACameraThatGivesNoMoreIsAnError) {
+  const auto source = io::camera("camera 3", cv::VideoCapture(video_, cv::CAP_FFMPEG));
+  for (int i = 0; i < frames_; ++i) {
+    const auto frame = source->next();
+    ASSERT_TRUE(frame);
+    EXPECT_EQ(frame->name, "camera 3#" + std::to_string(i));
+    EXPECT_TRUE(frame->time);
+  }
+  EXPECT_THAT([&] { source->next(); },
+              ::testing::ThrowsMessage<Error>("camera 3: gives no more images after 20"));
 }
 
 TEST_F(VideoSource, CutInItsHeaderIsAnError) {

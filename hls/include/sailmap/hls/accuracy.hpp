@@ -80,11 +80,23 @@ constexpr double orientation_feature_bound = gabor_level_error(2) + gabor_level_
                                              gabor_level_error(4) + lsb<formats::orientation_partial>() / 2 +
                                              lsb<formats::orientation_feature>() / 2;
 
+// An entry v_i of a descriptor against eq. 3-4 in real numbers on the same maps with the same statistics, at
+// most this share of it and this bound together. The share: a gain has at least 14 bits, truncated, and its
+// root, truncated too, errs the other way. The bound: a normalised sum is truncated to 2^-32 and divided by a
+// conspicuity sum of at least one unit, 2^-15, and the entry is rounded.
+constexpr double descriptor_share = power_of_two(-(formats::gain::word - 2));
+constexpr double descriptor_bound =
+    lsb<formats::normalised_region_sum>() / lsb<formats::intensity_conspicuity_region_sum>() +
+    lsb<formats::descriptor_entry>() / 2;
+
 // --- Photographs ---
 
 constexpr double intensity_feature_photographs = 1.6e-4;
 constexpr double colour_feature_photographs = 5.5e-4;
 constexpr double orientation_feature_photographs = 1.3e-4;
+
+// An entry of the chip's descriptors against the host's, of the same maps.
+constexpr double descriptor_photographs = 1e-4;
 
 // Of the map's own maximum, where that maximum is at least the floor: a map that is nearly flat has nothing
 // to be a percentage of, and there the absolute errors above are what holds. Full scale is 6, 18 and 3.
@@ -103,6 +115,9 @@ constexpr double region_agreement = 0.97;
 
 // Average precision of a real sequence, at most so far from that with the exact maps.
 constexpr double average_precision_change = 0.01;
+
+// The same with the chip's signatures against the host's, of the same maps.
+constexpr double chip_average_precision_change = 0.001;
 
 }  // namespace accuracy
 }  // namespace hls

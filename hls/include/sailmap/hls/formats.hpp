@@ -64,7 +64,18 @@
   X(colour_conspicuity, 16, 14, unsigned, trn, wrap, one, "C_C before its own normalisation")               \
   X(orientation_conspicuity, 16, 14, unsigned, trn, wrap, one, "C_O before its own normalisation")          \
   X(normalised_conspicuity, 20, 20, unsigned, trn, wrap, one, "a conspicuity map divided by max sqrt(m)")   \
-  X(saliency, 16, 14, unsigned, rnd, wrap, one, "S")
+  X(saliency, 16, 14, unsigned, rnd, wrap, one, "S")                                                        \
+  /* signature, spec 8 */                                                                                   \
+  X(stop_ratio, 17, 16, unsigned, rnd, wrap, one, "the part of MSR at which no more regions are taken")     \
+  X(intensity_region_sum, 24, -1, unsigned, rnd, wrap, grey21, "a feature map over a region, exact")        \
+  X(colour_region_sum, 24, 7, unsigned, rnd, wrap, colour21, "a feature map over a region, exact")          \
+  X(orientation_region_sum, 24, 4, unsigned, rnd, wrap, grey, "a feature map over a region, exact")         \
+  X(intensity_conspicuity_region_sum, 24, 15, unsigned, rnd, wrap, one, "C_I over a region, exact")         \
+  X(colour_conspicuity_region_sum, 24, 14, unsigned, rnd, wrap, one, "C_C over a region, exact")            \
+  X(orientation_conspicuity_region_sum, 24, 14, unsigned, rnd, wrap, one, "C_O over a region, exact")       \
+  X(normalised_region_sum, 40, 32, unsigned, trn, wrap, one,                                                \
+    "a feature map over a region divided by max sqrt(m)")                                                   \
+  X(descriptor_entry, 25, 16, unsigned, rnd, wrap, one, "v_i")
 
 namespace sailmap {
 namespace hls {

@@ -8,6 +8,8 @@
 
 #include "sailmap/hls/delays.hpp"
 #include "sailmap/hls/geometry.hpp"
+#include "sailmap/hls/signature_arithmetic.hpp"
+#include "sailmap/hls/signature_record.hpp"
 
 namespace sailmap {
 namespace hls {
@@ -76,6 +78,28 @@ constexpr long frame(int w, int h, int beat, bool double_buffer) {
 constexpr long latency(int w, int h, int beat) {
   return longer(longer(input(w, h, beat), to_base(w, h, beat)), base_level(w, h)) +
          cycles(geometry::base_side(w), sum_lag_rows(geometry::base_level)) + 4 * base_pixels(w, h);
+}
+
+// --- The signature, of so many regions: after the frame's last saliency ---
+
+// A look at every row's peak, and the rows of the box suppressed and searched again, four pixels a word.
+constexpr long signature_search(int w, int h, int regions, int side) {
+  return regions * (geometry::base_side(h) + cycles((geometry::base_side(w) + 3) / 4, side));
+}
+// The pixels of the box, and a division an entry.
+constexpr long signature_description(int regions, int side) {
+  return regions * (cycles(side, side) + cycles(geometry::feature_maps, entry_turns));
+}
+constexpr long signature_after_frame(int w, int h, int regions, int side) {
+  return signature_search(w, h, regions, side) + signature_description(regions, side) +
+         signature_record::words;
+}
+
+// From frame to frame where a signature of 20 regions follows the front end: it is busy from the feature
+// maps' replay on, through the count and the replay of conspicuity, to its record.
+constexpr long frame_with_signature(int w, int h, int beat, bool double_buffer, int side) {
+  return longer(frame(w, h, beat, double_buffer),
+                3 * base_pixels(w, h) + signature_after_frame(w, h, signature_record::max_regions, side));
 }
 
 }  // namespace throughput
