@@ -20,6 +20,7 @@ using OptionKeys = std::map<std::string, CLI::Option*>;
 // there.
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& names);
 std::vector<std::string> to_strings(const std::vector<std::string_view>& names);
+// --frontend, and what the front end xrt needs.
 void add_frontend_option(CLI::App& command, std::string& frontend);
 OptionKeys add_region_options(CLI::App& command, RegionConfig& config);
 // --method and the constraints.

@@ -1,17 +1,19 @@
-// The words and scalars of one call of a top as text, in the format of scripts/vitis/testbench.hpp.
+// One call of a top as scripts/vitis/testbench.hpp reads it.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "csim/frames.hpp"
-#include "sailmap/ref/signature.hpp"
+#include "csim/expected_signature.hpp"
+#include "sailmap/csim/frame.hpp"
 
 namespace sailmap::testing {
 
+// One call of a top, as text.
 class Call {
  public:
   Call() { text_ << "call\n"; }
@@ -22,6 +24,15 @@ class Call {
     text_ << "scalar max_regions " << parameters.max_regions << "\nscalar stop_ratio "
           << std::lround(65536 * parameters.stop_ratio) << "\nscalar box_side " << parameters.box_side
           << '\n';
+  }
+  void scalar(const std::string& port, std::uint32_t value) {
+    text_ << "scalar " << port << ' ' << value << '\n';
+  }
+  // Already in hexadecimal.
+  void text_words(const std::string& port, const std::vector<std::string>& words) {
+    header(port, words.size());
+    for (const std::string& word : words) text_ << ' ' << word;
+    text_ << std::dec << '\n';
   }
   template <class Word>
   void words(const std::string& port, const std::vector<Word>& words) {
