@@ -4,6 +4,7 @@
 
 #include "sailmap/error.hpp"
 #include "sailmap/image_source.hpp"
+#include "sailmap/xrt.hpp"
 
 namespace sailmap::app {
 
@@ -12,6 +13,8 @@ void describe_into(const std::string& name, cv::Mat image, Frontend& frontend, c
   out.image = std::move(image);
   try {
     frontend.describe(view_of(out.image), regions, out.maps, out.signature);
+  } catch (const DeviceError&) {
+    throw;  // no fault of the image
   } catch (const Error& fault) {
     throw Error(name + ": " + fault.what());
   }

@@ -1,7 +1,9 @@
 #include "image_pipeline.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -13,6 +15,7 @@
 
 #include "describe_image.hpp"
 #include "sailmap/error.hpp"
+#include "sailmap/xrt.hpp"
 
 namespace sailmap::app {
 namespace {
@@ -71,7 +74,12 @@ void describe(Item& item, const ImagePipeline& pipeline) {
 
 void run_pipeline(ImageSource& source, const ImagePipeline& pipeline) {
   std::atomic<bool> over = false;
-  const auto in_flight = 2 * static_cast<std::size_t>(tbb::info::default_concurrency());
+  // Threads that wait for a device leave their processors idle: so many more of them.
+  const int waiting = waiting_threads(pipeline.frontend);
+  const int threads = tbb::info::default_concurrency() + waiting;
+  std::optional<tbb::global_control> more_threads;
+  if (waiting > 0) more_threads.emplace(tbb::global_control::max_allowed_parallelism, threads);
+  const auto in_flight = 2 * static_cast<std::size_t>(threads);
   const auto reading =
       tbb::make_filter<void, Handle>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) {
         Handle item = over || !pipeline.go_on() ? nullptr : read(source, pipeline);
@@ -89,7 +97,8 @@ void run_pipeline(ImageSource& source, const ImagePipeline& pipeline) {
         const bool more = item->fault ? pipeline.on_fault(item->fault) : pipeline.use(std::move(item->image));
         if (!more) over = true;
       });
-  tbb::parallel_pipeline(in_flight, reading & describing & using_up);
+  tbb::task_arena(threads).execute(
+      [&] { tbb::parallel_pipeline(in_flight, reading & describing & using_up); });
 }
 
 }  // namespace sailmap::app

@@ -2,9 +2,15 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
 
+#include <chrono>
+#include <memory>
+
+#include "commands.hpp"
 #include "map/config_json.hpp"
 #include "sailmap/frontend.hpp"
+#include "sailmap/xrt.hpp"
 
 namespace sailmap::app {
 namespace {
@@ -13,6 +19,7 @@ constexpr const char* regions_group = "Regions (spec 8)";
 constexpr const char* match_group = "Matching (spec 10)";
 constexpr const char* detection_group = "Detection (spec 11)";
 constexpr const char* map_group = "Map (spec 11)";
+constexpr const char* xrt_group = "FPGA (front end xrt)";
 
 template <class Enum>
 std::map<std::string, Enum> by_name(std::initializer_list<Enum> values) {
@@ -42,14 +49,56 @@ std::string refuse_words(const std::string& method) {
 
 void merge(OptionKeys& into, OptionKeys other) { into.merge(std::move(other)); }
 
+// What --frontend xrt needs besides; checked, and handed over, when all is parsed.
+void add_xrt_options(CLI::App& command, const std::string& frontend) {
+  struct Options {
+    XrtSettings settings;
+    int timeout = static_cast<int>(XrtSettings{}.timeout.count());
+  };
+  const auto options = std::make_shared<Options>();
+  command.add_option("--xclbin", options->settings.xclbin, "What the card is to be: file with the kernel")
+      ->type_name("FILE")
+      ->group(xrt_group);
+  command.add_option("--device", options->settings.device, "Which card, by XRT's number")
+      ->capture_default_str()
+      ->group(xrt_group);
+  command
+      .add_option("--device-timeout", options->timeout,
+                  "A card that takes longer for an image hangs, milliseconds")
+      ->check(CLI::Range(1, 3600000).description(""))
+      ->capture_default_str()
+      ->group(xrt_group);
+  one_of(command.add_option("--fallback", options->settings.fallback,
+                            "Front end that takes over when the card fails; without it that is an error"),
+         {"fixed"})
+      ->group(xrt_group);
+  command.parse_complete_callback([&frontend, options] {
+    if (options->settings.xclbin.empty()) {
+      if (frontend == "xrt") throw UsageError("--frontend xrt needs --xclbin FILE");
+      return;
+    }
+    options->settings.timeout = std::chrono::milliseconds(options->timeout);
+    options->settings.warn = [](const std::string& what) { spdlog::warn("{}", what); };
+    set_xrt(options->settings);
+  });
+}
+
 }  // namespace
+
+CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& names) {
+  return option->check(CLI::IsMember(names).description(""))
+      ->type_name(fmt::format("{}", fmt::join(names, "|")));
+}
+
+std::vector<std::string> to_strings(const std::vector<std::string_view>& names) {
+  return {names.begin(), names.end()};
+}
 
 void add_frontend_option(CLI::App& command, std::string& frontend) {
   frontend = frontend_names().front();
-  command.add_option("--frontend", frontend, "What computes the maps")
-      ->check(CLI::IsMember(frontend_names()).description(""))
-      ->capture_default_str()
-      ->type_name("NAME");
+  one_of(command.add_option("--frontend", frontend, "What computes the maps"), frontend_names())
+      ->capture_default_str();
+  add_xrt_options(command, frontend);
 }
 
 OptionKeys add_region_options(CLI::App& command, RegionConfig& config) {
@@ -117,12 +166,11 @@ OptionKeys add_match_options(CLI::App& command, MatchConfig& config) {
 
 std::vector<CLI::Option*> add_recogniser_options(CLI::App& command, Recogniser& recogniser) {
   recogniser.method = name(MatchConfig{}.method);
-  CLI::Option* method = command
-                            .add_option("--method", recogniser.method,
-                                        "Similarity; fabmap and bow: by visual words, need --vocabulary")
-                            ->check(CLI::IsMember(recogniser_names()).description(""))
-                            ->capture_default_str()
-                            ->type_name(fmt::format("{}", fmt::join(recogniser_names(), "|")));
+  CLI::Option* method =
+      one_of(command.add_option("--method", recogniser.method,
+                                "Similarity; fabmap and bow: by visual words, need --vocabulary"),
+             recogniser_names())
+          ->capture_default_str();
   CLI::Option* vocabulary =
       command
           .add_option("--vocabulary", recogniser.vocabulary,

@@ -10,6 +10,7 @@
 
 #include "sailmap/error.hpp"
 #include "sailmap/frontend.hpp"
+#include "sailmap/xrt.hpp"
 
 namespace sailmap::app {
 namespace {
@@ -26,6 +27,8 @@ void on_interrupt(int signal) {
 void skip(const std::exception_ptr& fault, bool skip_bad, Progress& progress) {
   try {
     std::rethrow_exception(fault);
+  } catch (const DeviceError&) {
+    throw;  // all images would be passed over
   } catch (const Error& error) {
     if (!skip_bad) throw;
     progress.clear();

@@ -72,6 +72,23 @@ def configuration(job):
     ])
 
 
+def kernel_configuration(job):
+    """kernel.cfg: synthesis to an .xo that v++ links. flow_target is of the manuals from 2023.2 to 2025.2."""
+    return "\n".join([
+        f"part={job.part}",
+        "",
+        "[hls]",
+        "flow_target=vitis",
+        f"clock={job.clock}MHz",
+        f"syn.top={job.top.name}",
+        f"syn.file={job.top.source}",
+        f"syn.file_cflags={job.top.source},{job.flags} -DSAILMAP_VITIS_KERNEL",
+        "package.output.format=xo",
+        f"package.output.file={job.path(job.top.name + '.xo')}",
+        "",
+    ])
+
+
 def tcl(job):
     """hls.tcl."""
     vectors = job.path("vectors.txt")
@@ -106,11 +123,12 @@ def testbench(job):
         if port.kind == "stream":
             lines.append(f"    sailmap::hls::stream<{port.type} > {port.name};")
         elif port.kind == "array":
-            lines.append(f"    {port.type} {port.name}[{port.extent}] = {{}};")
+            lines.append(f"    static {port.type} {port.name}[{port.extent}];")  # too large for the stack
     lines += [f'    vectors.fill("{name}", {name});' for name in job.top.inputs]
     arguments = [f'vectors.scalar("{port.name}")' if port.kind == "scalar" else port.name for port in ports]
     lines.append(f"    {job.top.name}({', '.join(arguments)});")
-    lines += [f'    vectors.expect_read("{name}", {name});' for name in job.top.inputs]
+    streams = {port.name for port in ports if port.kind == "stream"}
+    lines += [f'    vectors.expect_read("{name}", {name});' for name in job.top.inputs if name in streams]
     lines += [f'    vectors.check("{name}", {name});' for name in job.top.outputs]
     return "\n".join(lines + ["  }", "  return vectors.finish();", "}", ""])
 

@@ -32,7 +32,7 @@ class Top:
     name: str
     source: Path
     header: Path
-    inputs: tuple  # names of streams
+    inputs: tuple  # names of streams and arrays
     outputs: tuple  # names of streams and arrays
     scalars: tuple
     what: str
@@ -84,7 +84,7 @@ def ports_of(file, function):
 
 def port_of(parameter, file):
     for kind, pattern in (("stream", r"sailmap::hls::stream<(?P<type>.+)>\s*&\s*(?P<name>\w+)"),
-                          ("array", r"(?P<type>\w+) (?P<name>\w+)\[(?P<extent>.+)\]"),
+                          ("array", r"(?:const )?(?P<type>\w+) (?P<name>\w+)\[(?P<extent>.+)\]"),
                           ("scalar", r"(?P<type>\w+) (?P<name>\w+)")):
         found = re.fullmatch(pattern, parameter)
         if found:

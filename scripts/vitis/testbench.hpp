@@ -8,6 +8,7 @@
 #pragma once
 
 #include <ap_axi_sdata.h>
+#include <ap_int.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -30,19 +31,28 @@ struct Token {
   static bool same(const T& a, const T& b) { return a == b; }
 };
 
+template <int Bits>
+struct Token<ap_uint<Bits> > {
+  // May be longer than any native integer.
+  static ap_uint<Bits> word(const std::string& text) {
+    ap_uint<Bits> number = 0;
+    for (int i = 0; i < Bits && static_cast<std::size_t>(i / 4) < text.size(); ++i) {
+      const std::string digit(1, text[text.size() - 1 - static_cast<std::size_t>(i / 4)]);
+      number.set(i, (std::stoi(digit, nullptr, 16) >> (i % 4) & 1) != 0);
+    }
+    return number;
+  }
+};
+
 template <int Data, int User, int Id, int Dest>
 struct Token<ap_axiu<Data, User, Id, Dest> > {
   using Beat = ap_axiu<Data, User, Id, Dest>;
 
-  // DATA:TUSER:TLAST; DATA may be longer than any native integer.
+  // DATA:TUSER:TLAST.
   static Beat word(const std::string& text) {
     const std::size_t digits = text.find(':');
     Beat beat;
-    beat.data = 0;
-    for (int i = 0; i < Data && static_cast<std::size_t>(i / 4) < digits; ++i) {
-      const std::string digit(1, text[digits - 1 - static_cast<std::size_t>(i / 4)]);
-      beat.data.set(i, (std::stoi(digit, nullptr, 16) >> (i % 4) & 1) != 0);
-    }
+    beat.data = Token<ap_uint<Data> >::word(text.substr(0, digits));
     beat.keep = -1;
     beat.strb = -1;
     beat.user = text[digits + 1] == '1' ? 1 : 0;
@@ -86,6 +96,12 @@ class Vectors {
   template <class T>
   void fill(const std::string& port, hls::stream<T>& stream) const {
     for (const std::string& text : words_of(port)) stream.write(Token<T>::word(text));
+  }
+  template <class T, std::size_t Extent>
+  void fill(const std::string& port, T (&memory)[Extent]) const {
+    const std::vector<std::string>& words = words_of(port);
+    if (words.size() > Extent) stop("too many words of " + port);
+    for (std::size_t i = 0; i < words.size(); ++i) memory[i] = Token<T>::word(words[i]);
   }
   // The top must have read all of an input.
   template <class T>

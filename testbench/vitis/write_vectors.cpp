@@ -4,21 +4,23 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <exception>
 #include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
 #include <random>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "call.hpp"
 #include "csim/expected.hpp"
 #include "csim/expected_signature.hpp"
 #include "csim/frames.hpp"
 #include "ppm.hpp"
+#include "sailmap/hls/memory_registers.h"
 
 namespace sailmap::testing {
 namespace {
@@ -26,42 +28,6 @@ namespace {
 namespace point = ref::point;
 using ref::Quantised;
 using Planes = std::vector<Plane<double>>;
-
-// One call of a top, as text.
-class Call {
- public:
-  Call() { text_ << "call\n"; }
-  void size(const csim::Frame& frame) {
-    text_ << "scalar width " << frame.width << "\nscalar height " << frame.height << '\n';
-  }
-  void parameters(const ref::RegionParameters& parameters) {
-    text_ << "scalar max_regions " << parameters.max_regions << "\nscalar stop_ratio "
-          << std::lround(65536 * parameters.stop_ratio) << "\nscalar box_side " << parameters.box_side
-          << '\n';
-  }
-  template <class Word>
-  void words(const std::string& port, const std::vector<Word>& words) {
-    header(port, words.size());
-    for (const Word word : words) text_ << ' ' << std::uint64_t{word};
-    text_ << std::dec << '\n';
-  }
-  // As AXI4-Stream packets of `row` words, the first marked as the start of the frame.
-  template <class Word>
-  void packets(const std::string& port, const std::vector<Word>& words, std::size_t row) {
-    header(port, words.size());
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      text_ << ' ' << words[i] << (i == 0 ? ":1:" : ":0:") << ((i + 1) % row == 0 ? 1 : 0);
-    }
-    text_ << std::dec << '\n';
-  }
-  [[nodiscard]] std::string text() const { return text_.str(); }
-
- private:
-  void header(const std::string& port, std::size_t count) {
-    text_ << "words " << port << ' ' << count << std::hex;
-  }
-  std::ostringstream text_;
-};
 
 // What the reference makes of one frame on the way to the feature maps; colours are green, blue, red, yellow.
 struct Stages {
@@ -325,6 +291,34 @@ std::vector<std::string> video(const csim::Frame& frame, std::size_t beat) {
   return beats;
 }
 
+// Beats of pixels in memory: R, G, B and a byte of any value from low to high, the left pixel low; in
+// hexadecimal.
+std::vector<std::string> memory_beats(const csim::Frame& frame, std::size_t beat) {
+  std::vector<std::string> beats(frame.rgb.size() / (3 * beat));
+  std::array<char, 9> pixel{};
+  for (std::size_t i = 0; i < frame.rgb.size() / 3; ++i) {
+    const std::uint8_t* rgb = &frame.rgb[3 * i];
+    std::snprintf(pixel.data(), pixel.size(), "%02x%02x%02x%02x", static_cast<unsigned>(i % 256), rgb[2],
+                  rgb[1], rgb[0]);
+    beats[i / beat].insert(0, pixel.data());
+  }
+  return beats;
+}
+
+void memory(Call& call, const csim::Frame& frame, std::size_t beat, std::uint32_t tag) {
+  const csim::FrontEndWords words = expected(frame);
+  call.scalar("frame", tag);
+  call.text_words("pixels", memory_beats(frame, beat));
+  call.words("intensity_maps", words.intensity_maps);
+  call.words("colour_maps", words.colour_maps);
+  call.words("orientation_maps", words.orientation_maps);
+  call.words("conspicuity_maps", words.conspicuity_maps);
+  call.words("saliency", words.saliency);
+  call.words("statistics", words.statistics);
+  // Version alone of the report: its other words depend on the configuration.
+  call.words("report", std::vector<std::uint32_t>{SAILMAP_MEMORY_VERSION});
+}
+
 void axi(Call& call, const csim::Frame& frame, std::size_t beat, std::uint32_t frames) {
   const csim::FrontEndWords words = expected(frame);
   const auto row = static_cast<std::size_t>(hls::geometry::base_side(frame.width));
@@ -362,8 +356,8 @@ std::vector<csim::Frame> three_frames() {
 void write(const std::string& top, std::size_t beat, const std::string& path,
            const std::vector<csim::Frame>& frames) {
   const auto writer = stage_writers.find(top);
-  const bool whole =
-      top == "sailmap_front_end" || top == "sailmap_signature_front_end" || top == "sailmap_axi";
+  const bool whole = top == "sailmap_front_end" || top == "sailmap_signature_front_end" ||
+                     top == "sailmap_axi" || top == "sailmap_memory";
   if (writer == stage_writers.end() && !whole) throw std::runtime_error("unknown top " + top);
   if (beat != 1 && beat != 2 && beat != 4 && beat != 8) throw std::runtime_error("a beat is 1, 2, 4 or 8");
   std::ofstream file(path);
@@ -378,6 +372,8 @@ void write(const std::string& top, std::size_t beat, const std::string& path,
       signature_front_end(call, frame, beat);
     } else if (top == "sailmap_axi") {
       axi(call, frame, beat, count);
+    } else if (top == "sailmap_memory") {
+      memory(call, frame, beat, count);
     } else {
       writer->second(call, frame, Stages(frame));
     }

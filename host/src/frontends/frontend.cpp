@@ -14,7 +14,8 @@ struct Entry {
 constexpr Entry entries[] = {{"fixed", make_fixed, true},
                              {"reference", make_reference, false},
                              {"quantised", make_quantised, true},
-                             {"csim", make_csim, true}};
+                             {"csim", make_csim, true},
+                             {"xrt", make_xrt, true}};
 
 }  // namespace
 

@@ -1,0 +1,164 @@
+// A card through XRT's native C++ API.
+#include <experimental/xrt_ini.h>
+#include <experimental/xrt_xclbin.h>
+#include <xrt/xrt_bo.h>
+#include <xrt/xrt_device.h>
+#include <xrt/xrt_kernel.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "device.hpp"
+#include "xclbin_file.hpp"
+
+namespace sailmap {
+
+bool has_xrt() { return true; }
+
+namespace fpga {
+namespace {
+
+// XRT's smallest buffer: a page.
+constexpr std::size_t smallest_buffer = 4096;
+
+// Runs `work`; what XRT throws becomes a DeviceError that says what was being done.
+template <class Work>
+auto with_xrt(const std::string& doing, Work work) {
+  try {
+    return work();
+  } catch (const DeviceError&) {
+    throw;
+  } catch (const std::exception& fault) {
+    throw DeviceError(doing + ": " + fault.what());
+  }
+}
+
+// XRT would print its own lines besides our one. Those who set up its log keep it.
+void silence_log() {
+  if (std::getenv("XRT_INI_PATH") != nullptr) return;
+  try {
+    ::xrt::ini::set("Runtime.runtime_log", "null");
+  } catch (const std::exception&) {
+    // Someone has used XRT before: its log is as they set it.
+    return;
+  }
+}
+
+const char* name_of(ert_cmd_state state) {
+  switch (state) {
+    case ERT_CMD_STATE_ERROR:
+      return "error";
+    case ERT_CMD_STATE_ABORT:
+      return "aborted";
+    case ERT_CMD_STATE_TIMEOUT:
+      return "timeout";
+    case ERT_CMD_STATE_NORESPONSE:
+      return "no response";
+    default:
+      return "not completed";
+  }
+}
+
+class NativeSlot : public Slot {
+ public:
+  NativeSlot(const ::xrt::device& device, const ::xrt::kernel& kernel, const BufferSizes& sizes)
+      : run_(kernel) {
+    for (std::size_t i = 0; i < buffer_count; ++i) {
+      const auto argument = static_cast<int>(i);
+      buffers_[i] = ::xrt::bo(device, std::max(sizes[i], smallest_buffer), kernel.group_id(argument));
+      mapped_[i] = {buffers_[i].map<std::byte*>(), buffers_[i].size()};
+      run_.set_arg(argument, buffers_[i]);
+    }
+  }
+
+  [[nodiscard]] std::span<std::byte> memory(Buffer buffer) override { return mapped_[index_of(buffer)]; }
+
+  void start(const Call& call) override {
+    with_xrt("starting the kernel", [&] {
+      used_ = buffer_sizes(call.width, call.height);
+      sync(Buffer::pixels, XCL_BO_SYNC_BO_TO_DEVICE);
+      sync(Buffer::report, XCL_BO_SYNC_BO_TO_DEVICE);
+      run_.set_arg(buffer_count, call.width);
+      run_.set_arg(buffer_count + 1, call.height);
+      run_.set_arg(buffer_count + 2, call.frame);
+      run_.start();
+    });
+  }
+
+  // XRT's own timeout starts again when another run ends meanwhile, so it may be late by the frames before.
+  [[nodiscard]] Outcome wait(std::chrono::milliseconds timeout) override {
+    return with_xrt("waiting for the kernel", [&] {
+      const ert_cmd_state state = run_.wait(timeout);
+      // Not aborted: that waits for the kernel, which may hang for good.
+      if (state == ERT_CMD_STATE_TIMEOUT) return Outcome::timeout;
+      if (state != ERT_CMD_STATE_COMPLETED) {
+        throw DeviceError(std::string("the kernel ended with: ") + name_of(state));
+      }
+      for (std::size_t i = index_of(Buffer::intensity_maps); i < buffer_count; ++i) {
+        sync(static_cast<Buffer>(i), XCL_BO_SYNC_BO_FROM_DEVICE);
+      }
+      return Outcome::done;
+    });
+  }
+
+ private:
+  void sync(Buffer buffer, xclBOSyncDirection direction) {
+    const std::size_t bytes = used_[index_of(buffer)];
+    if (bytes > 0) buffers_[index_of(buffer)].sync(direction, bytes, 0);
+  }
+
+  ::xrt::run run_;
+  std::array<::xrt::bo, buffer_count> buffers_;
+  std::array<std::span<std::byte>, buffer_count> mapped_;
+  BufferSizes used_{};
+};
+
+class NativeDevice : public Device {
+ public:
+  NativeDevice(std::string name, ::xrt::device device, ::xrt::kernel kernel)
+      : name_(std::move(name)), device_(std::move(device)), kernel_(std::move(kernel)) {}
+
+  [[nodiscard]] std::string name() const override { return name_; }
+  [[nodiscard]] std::unique_ptr<Slot> make_slot(const BufferSizes& sizes) override {
+    return with_xrt("making buffers", [&] { return std::make_unique<NativeSlot>(device_, kernel_, sizes); });
+  }
+
+ private:
+  std::string name_;
+  ::xrt::device device_;
+  ::xrt::kernel kernel_;
+};
+
+void demand_kernel(const ::xrt::xclbin& file, const std::string& path) {
+  const auto kernels = file.get_kernels();
+  const auto kernel = std::ranges::find_if(
+      kernels, [](const auto& candidate) { return candidate.get_name() == SAILMAP_MEMORY_KERNEL; });
+  if (kernel == kernels.end()) throw DeviceError(path + ": has no kernel " SAILMAP_MEMORY_KERNEL);
+  const auto arguments = kernel->get_args();
+  const bool equal =
+      std::ranges::equal(arguments, argument_names,
+                         [](const auto& argument, const char* name) { return argument.get_name() == name; });
+  if (!equal) throw DeviceError(path + ": its kernel " SAILMAP_MEMORY_KERNEL " has other arguments");
+}
+
+}  // namespace
+
+std::unique_ptr<Device> open_native_device(const std::string& xclbin, unsigned index) {
+  check_xclbin(xclbin);
+  silence_log();
+  const ::xrt::xclbin file = with_xrt(xclbin, [&] { return ::xrt::xclbin(xclbin); });
+  with_xrt(xclbin, [&] { demand_kernel(file, xclbin); });
+  const std::string name = "device " + std::to_string(index);
+  auto device = with_xrt(name + " cannot be opened", [&] { return ::xrt::device(index); });
+  return with_xrt(name + " does not take " + xclbin, [&] {
+    const ::xrt::uuid uuid = device.load_xclbin(file);
+    ::xrt::kernel kernel(device, uuid, SAILMAP_MEMORY_KERNEL);
+    return std::make_unique<NativeDevice>(name, device, std::move(kernel));
+  });
+}
+
+}  // namespace fpga
+}  // namespace sailmap

@@ -1,0 +1,171 @@
+#include "simulated_device.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <sstream>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace sailmap::fpga {
+namespace {
+
+constexpr std::array<std::pair<const char*, Fault>, 8> fault_names = {
+    {{"no-device", Fault::no_device},
+     {"wrong-xclbin", Fault::wrong_xclbin},
+     {"wrong-kernel", Fault::wrong_kernel},
+     {"other-version", Fault::other_version},
+     {"hang", Fault::hang},
+     {"lost", Fault::lost},
+     {"wrong-length", Fault::wrong_length},
+     {"wrong-frame", Fault::wrong_frame}}};
+
+class SimulatedDevice;
+
+class SimulatedSlot : public Slot {
+ public:
+  SimulatedSlot(SimulatedDevice& device, const BufferSizes& sizes) : device_(device) {
+    for (std::size_t i = 0; i < buffer_count; ++i) memory_[i].resize(sizes[i]);
+  }
+  [[nodiscard]] std::span<std::byte> memory(Buffer buffer) override { return memory_[index_of(buffer)]; }
+  void start(const Call& call) override;
+  [[nodiscard]] Outcome wait(std::chrono::milliseconds timeout) override;
+
+ private:
+  friend class SimulatedDevice;
+
+  SimulatedDevice& device_;
+  std::array<std::vector<std::byte>, buffer_count> memory_;
+  // Guarded by the device's mutex.
+  Call call_;
+  bool faulty_ = false;
+  bool done_ = false;
+};
+
+class SimulatedDevice : public Device {
+ public:
+  explicit SimulatedDevice(Simulation simulation)
+      : simulation_(std::move(simulation)), card_([this](const std::stop_token& stop) { work(stop); }) {}
+
+  [[nodiscard]] std::string name() const override { return "simulated device"; }
+  [[nodiscard]] std::unique_ptr<Slot> make_slot(const BufferSizes& sizes) override {
+    return std::make_unique<SimulatedSlot>(*this, sizes);
+  }
+
+  void start(SimulatedSlot& slot, const Call& call) {
+    const std::lock_guard lock(mutex_);
+    if (lost_) throw DeviceError("the device is lost");
+    slot.call_ = call;
+    slot.done_ = false;
+    const bool asks = call.width == 0;  // for the report alone
+    slot.faulty_ = !asks && frames_++ >= simulation_.good_frames;
+    lost_ = slot.faulty_ && simulation_.fault == Fault::lost;
+    started_.push_back(&slot);
+    ++in_flight_;
+    if (simulation_.on_start && !asks) simulation_.on_start(in_flight_);
+    changed_.notify_all();
+  }
+
+  Outcome wait(const SimulatedSlot& slot, std::chrono::milliseconds timeout) {
+    std::unique_lock lock(mutex_);
+    // The time of a simulation passes at once: what will never be done need not be waited for.
+    if (slot.faulty_ && simulation_.fault == Fault::hang) return Outcome::timeout;
+    changed_.wait_for(lock, timeout, [&] { return slot.done_ || lost_; });
+    if (slot.done_) return Outcome::done;
+    if (lost_) throw DeviceError("the device is lost");
+    return Outcome::timeout;
+  }
+
+ private:
+  // The next frame to work on; null when the device is closed.
+  SimulatedSlot* next(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    const auto asks = [&] { return started_.front()->call_.width == 0; };
+    const auto ready = [&] {
+      return !started_.empty() &&
+             (gathered_ || asks() || static_cast<int>(started_.size()) >= simulation_.gather);
+    };
+    if (!changed_.wait(lock, stop, ready)) return nullptr;
+    if (!gathered_ && !asks()) {
+      gathered_ = true;
+      std::ranges::reverse(started_);
+    }
+    SimulatedSlot* slot = started_.front();
+    started_.pop_front();
+    return slot;
+  }
+
+  void spoil(SimulatedSlot& slot) const {
+    const auto report = slot.words<std::uint32_t>(Buffer::report, std::size_t{4} * SAILMAP_REPORT_WORDS);
+    if (simulation_.fault == Fault::other_version) report[SAILMAP_REPORT_VERSION] += 1;
+    if (!slot.faulty_) return;
+    if (simulation_.fault == Fault::wrong_length) report[SAILMAP_REPORT_MAP_WORDS] -= 8;
+    if (simulation_.fault == Fault::wrong_frame) report[SAILMAP_REPORT_FRAME] -= 1;
+  }
+
+  void work(const std::stop_token& stop) {
+    while (SimulatedSlot* slot = next(stop)) {
+      const bool never_done =
+          slot->faulty_ && (simulation_.fault == Fault::hang || simulation_.fault == Fault::lost);
+      if (never_done) continue;
+      run_kernel(*slot, slot->call_, simulation_.limits);
+      spoil(*slot);
+      const std::lock_guard lock(mutex_);
+      slot->done_ = true;
+      --in_flight_;
+      changed_.notify_all();
+    }
+  }
+
+  Simulation simulation_;
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::deque<SimulatedSlot*> started_;
+  int in_flight_ = 0;
+  int frames_ = 0;
+  bool gathered_ = false;
+  bool lost_ = false;
+  std::jthread card_;  // last: it uses the others
+};
+
+void SimulatedSlot::start(const Call& call) { device_.start(*this, call); }
+Outcome SimulatedSlot::wait(std::chrono::milliseconds timeout) { return device_.wait(*this, timeout); }
+
+}  // namespace
+
+Simulation simulation_from_text(const std::string& text) {
+  Simulation simulation;
+  std::istringstream words(text);
+  char x = 0;
+  char y = 0;
+  std::string fault;
+  words >> simulation.limits.max_width >> x >> simulation.limits.max_height >> y >> simulation.limits.beat;
+  const bool good = words && x == 'x' && y == 'x';
+  if (words >> fault && !(words >> simulation.good_frames)) simulation.good_frames = 0;
+  const auto* const found =
+      std::ranges::find_if(fault_names, [&](const auto& entry) { return fault == entry.first; });
+  if (!good || (!fault.empty() && found == fault_names.end())) {
+    throw Error("no simulated device '" + text + "': WIDTHxHEIGHTxBEAT [FAULT [GOOD-FRAMES]]");
+  }
+  if (!fault.empty()) simulation.fault = found->second;
+  return simulation;
+}
+
+std::unique_ptr<Device> open_simulated_device(const Simulation& simulation) {
+  switch (simulation.fault) {
+    case Fault::no_device:
+      throw DeviceError("simulated device: there is none");
+    case Fault::wrong_xclbin:
+      throw DeviceError("simulated device: the xclbin is for another card");
+    case Fault::wrong_kernel:
+      throw DeviceError("simulated device: the xclbin has no kernel " SAILMAP_MEMORY_KERNEL);
+    default:
+      return std::make_unique<SimulatedDevice>(simulation);
+  }
+}
+
+}  // namespace sailmap::fpga

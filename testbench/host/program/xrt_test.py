@@ -1,0 +1,108 @@
+"""The front end xrt from the command line, on the simulated device (SAILMAP_SIMULATED_DEVICE)."""
+
+import json
+import os
+import unittest
+
+from program_case import ProgramCase, scene
+
+GOOD = "640x480x4"
+
+
+class Xrt(ProgramCase):
+    def setUp(self):
+        super().setUp()
+        for name in ("SAILMAP_SIMULATED_DEVICE", "XILINX_XRT", "XCL_EMULATION_MODE"):
+            os.environ.pop(name, None)
+        self.addCleanup(os.environ.pop, "SAILMAP_SIMULATED_DEVICE", None)
+
+    def device(self, text):
+        os.environ["SAILMAP_SIMULATED_DEVICE"] = text
+
+    def drive(self, images=8, width=96, height=72):
+        """Images of four places, seen twice."""
+        for i in range(images):
+            self.write_image(f"images/{i:03}.png", scene(i % 4, width, height))
+
+    def run_and_list(self, *options, out):
+        """What a run says, but for its speed, and the map that it makes."""
+        printed = self.run_program("run", "images", "--exclude-recent", "1", "--map", out, *options).splitlines()
+        errors = self.errors
+        exported = self.run_program("map", "export", out, "--format", "csv")
+        self.errors = errors
+        return [line for line in printed if line.startswith("loop closure")], exported
+
+    def test_needs_an_xclbin(self):
+        self.write_image("a.png", scene(1))
+        for command in (("detect", "a.png", "--out", "out"), ("run", ".", "--map", "m.db"), ("match", "a.png", "a.png")):
+            self.fails(*command, "--frontend", "xrt", says="--frontend xrt needs --xclbin FILE", code=2)
+
+    def test_wrong_options(self):
+        self.write_image("a.png", scene(1))
+        start = ("detect", "a.png", "--out", "out", "--frontend", "xrt", "--xclbin", "k")
+        for more in (("--fallback", "reference"), ("--device", "-1"), ("--device-timeout", "0")):
+            self.run_program(*start, *more, code=2)
+            self.assertIn(more[0], self.errors)
+
+    def test_a_missing_xclbin_is_one_line(self):
+        self.write_image("a.png", scene(1))
+        says = "missing.xclbin: cannot be read"
+        try:
+            self.fails("detect", "a.png", "--out", "out", "--frontend", "xrt", "--xclbin", "missing.xclbin", says=says)
+        except AssertionError:
+            self.assertIn("this build has no XRT", self.errors)
+
+    def test_detect_says_what_fixed_says(self):
+        self.device(GOOD)
+        self.write_image("a.png", scene(3, 160, 120))
+        regions = []
+        for more in (("--frontend", "xrt", "--xclbin", "k"), ("--frontend", "fixed")):
+            self.run_program("detect", "a.png", "--out", more[1], *more)
+            file = next((self.folder / more[1]).rglob("regions.json"))
+            report = json.loads(file.read_text())
+            self.assertEqual(report.pop("frontend"), more[1])
+            regions.append(report)
+        self.assertEqual(*regions)
+
+    def test_run_makes_the_map_that_fixed_makes(self):
+        self.device(GOOD)
+        self.drive()
+        made = self.run_and_list("--frontend", "xrt", "--xclbin", "k", out="x.db")
+        self.assertEqual(len(made[0]), 4)
+        self.assertEqual(self.errors.count("warning"), 0)
+        self.assertEqual(made, self.run_and_list("--frontend", "fixed", out="f.db"))
+
+    def test_a_device_that_fails_midway(self):
+        self.drive()
+        for fault, says in (("lost 3", "simulated device: the device is lost"),
+                            ("hang 2", "the kernel did not finish a frame within 2000 ms"),
+                            ("wrong-length 1", "the kernel reports maps of"),
+                            ("no-device", "simulated device: there is none")):
+            self.device(f"{GOOD} {fault}")
+            # A fault of the device is none of the image: nothing is passed over.
+            self.run_program("run", "images", "--map", f"{fault[:4]}.db", "--skip-bad", "--frontend", "xrt",
+                             "--xclbin", "k", code=1)
+            self.assertIn(says, self.errors)
+            self.assertNotIn("skipped", self.errors)
+
+    def test_the_fallback_takes_over_and_is_told_of_once(self):
+        self.drive()
+        want = self.run_and_list("--frontend", "fixed", out="f.db")
+        for i, fault in enumerate(("lost 3", "hang 2", "wrong-frame 1", "other-version", "wrong-kernel")):
+            self.device(f"{GOOD} {fault}")
+            got = self.run_and_list("--frontend", "xrt", "--xclbin", "k", "--fallback", "fixed", out=f"x{i}.db")
+            self.assertEqual(got, want)
+            self.assertEqual(self.errors.count("the front end fixed takes over"), 1, self.errors)
+
+    def test_images_too_large_for_the_kernel(self):
+        self.device("128x100x4")
+        self.drive(2, 160, 120)
+        says = "image is 160x120 pixels; the kernel of simulated device takes up to 128x100"
+        self.run_program("run", "images", "--map", "a.db", "--frontend", "xrt", "--xclbin", "k", code=1)
+        self.assertIn("000.png: " + says, self.errors)
+        self.run_program("run", "images", "--map", "b.db", "--frontend", "xrt", "--xclbin", "k", "--fallback", "fixed")
+        self.assertIn(says, self.errors)
+
+
+if __name__ == "__main__":
+    unittest.main()

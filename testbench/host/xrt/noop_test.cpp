@@ -1,0 +1,218 @@
+// The front end through the real XRT, in its emulation mode `noop`: a device opens, an xclbin is read,
+// buffers are mapped and sent, runs start and end, but no kernel works.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+#include "frontends/xrt/simulated_device.hpp"
+#include "frontends/xrt/xrt_frontend.hpp"
+#include "pictures.hpp"
+#include "temporary_folder.hpp"
+
+#ifdef SAILMAP_XRT_LIBRARIES
+#include "xclbin_writer.hpp"
+#endif
+
+namespace sailmap::testing {
+namespace {
+
+using namespace fpga;
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+
+#ifndef SAILMAP_XRT_LIBRARIES
+
+TEST(Noop, NeedsXrt) {
+  EXPECT_FALSE(has_xrt());
+  XrtSettings settings;
+  settings.xclbin = "kernel.xclbin";
+  set_xrt(settings);
+  EXPECT_THROW(make_frontend("xrt"), DeviceError);
+  GTEST_SKIP() << "this build has no XRT (libxrt-dev)";
+}
+
+#else
+
+const std::vector<std::string> arguments = {argument_names.begin(), argument_names.end()};
+
+struct Noop : ::testing::Test {
+  TemporaryFolder folder;
+  std::string xclbin;
+
+  void SetUp() override {
+    // XRT asks once a process: where its libraries are, and what to emulate.
+    std::filesystem::create_directory_symlink(SAILMAP_XRT_LIBRARIES, folder.path() / "lib");
+    setenv("XILINX_XRT", folder.path().c_str(), 1);
+    setenv("XCL_EMULATION_MODE", "noop", 1);
+    xclbin = folder.file("kernel.xclbin", xclbin_of("sailmap_memory", arguments)).string();
+  }
+  [[nodiscard]] static std::string fault_of(const std::string& path, unsigned device = 0) {
+    try {
+      open_native_device(path, device);
+    } catch (const DeviceError& fault) {
+      return fault.what();
+    }
+    return "nothing";
+  }
+};
+
+// The real device, with a kernel where `noop` has none: once XRT says that a run has ended, the simulated
+// kernel works on the buffers that XRT mapped.
+class WithKernel : public Device {
+ public:
+  WithKernel(std::unique_ptr<Device> device, std::atomic<int>& slots, std::atomic<int>& runs)
+      : device_(std::move(device)), slots_(slots), runs_(runs) {}
+  [[nodiscard]] std::string name() const override { return device_->name(); }
+  [[nodiscard]] std::unique_ptr<Slot> make_slot(const BufferSizes& sizes) override {
+    ++slots_;
+    return std::make_unique<KernelSlot>(device_->make_slot(sizes), runs_);
+  }
+
+ private:
+  class KernelSlot : public Slot {
+   public:
+    KernelSlot(std::unique_ptr<Slot> slot, std::atomic<int>& runs) : slot_(std::move(slot)), runs_(runs) {}
+    [[nodiscard]] std::span<std::byte> memory(Buffer buffer) override { return slot_->memory(buffer); }
+    void start(const Call& call) override {
+      call_ = call;
+      slot_->start(call);
+    }
+    [[nodiscard]] Outcome wait(std::chrono::milliseconds timeout) override {
+      const Outcome outcome = slot_->wait(timeout);
+      ++runs_;
+      run_kernel(*slot_, call_, {160, 120, 8});
+      return outcome;
+    }
+
+   private:
+    std::unique_ptr<Slot> slot_;
+    std::atomic<int>& runs_;
+    Call call_;
+  };
+
+  std::unique_ptr<Device> device_;
+  std::atomic<int>& slots_;
+  std::atomic<int>& runs_;
+};
+
+TEST_F(Noop, AKernelThatReportsNothingIsNotOurs) {
+  XrtSettings settings;
+  settings.xclbin = xclbin;
+  set_xrt(settings);
+  EXPECT_TRUE(has_xrt());
+  try {
+    make_frontend("xrt");
+    FAIL() << "noop passes for a kernel";
+  } catch (const DeviceError& fault) {
+    EXPECT_STREQ(fault.what(),
+                 "device 0: the kernel reports version 0x00000000, this program is for 0x534d0001");
+  }
+}
+
+TEST_F(Noop, FramesGoThroughBuffersThatXrtMapsAndThatAreUsedAgain) {
+  std::atomic<int> slots = 0;
+  std::atomic<int> runs = 0;
+  XrtSettings settings;
+  settings.timeout = 60s;
+  settings.frames_in_flight = 2;
+  const auto service = make_service(
+      settings, [&] { return std::make_unique<WithKernel>(open_native_device(xclbin, 0), slots, runs); });
+  std::vector<std::vector<Maps> > got(3);
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned thread = 0; thread < 3; ++thread) {
+      threads.emplace_back([&, thread] {
+        const auto frontend = make_frontend_on(service);
+        for (unsigned i = 0; i < 4; ++i) {
+          frontend->compute(picture(10 * thread + i).view(), got[thread].emplace_back());
+        }
+      });
+    }
+  }
+  for (unsigned thread = 0; thread < 3; ++thread) {
+    for (unsigned i = 0; i < 4; ++i) expect_same(got[thread][i], expected_maps(picture(10 * thread + i)));
+  }
+  EXPECT_EQ(runs, 1 + 12);
+  EXPECT_LE(slots, 1 + 2);
+}
+
+TEST_F(Noop, TheSameMemoryFromFrameToFrame) {
+  const auto device = open_native_device(xclbin, 0);
+  const auto slot = device->make_slot(buffer_sizes(160, 120));
+  const auto* const before = slot->memory(Buffer::pixels).data();
+  EXPECT_GE(slot->memory(Buffer::pixels).size(), 4U * 160 * 120);
+  for (std::uint32_t frame = 0; frame < 3; ++frame) {
+    slot->start({160, 120, frame});
+    EXPECT_EQ(slot->wait(60s), Outcome::done);
+    EXPECT_EQ(slot->memory(Buffer::pixels).data(), before);
+  }
+}
+
+TEST_F(Noop, WrongFilesAndDevices) {
+  const std::string missing = (folder.path() / "missing.xclbin").string();
+  EXPECT_EQ(fault_of(missing), missing + ": cannot be read");
+  EXPECT_EQ(fault_of(folder.path().string()), folder.path().string() + ": cannot be read");
+  const std::string good = xclbin_of("sailmap_memory", arguments);
+  const std::string bad = (folder.path() / "bad.xclbin").string();
+  const auto fault_of_bytes = [&](const std::string& bytes) {
+    return fault_of(folder.file("bad.xclbin", bytes).string());
+  };
+  EXPECT_EQ(fault_of_bytes(""), bad + ": is no xclbin");
+  EXPECT_EQ(fault_of_bytes("xclbin1" + good.substr(7)), bad + ": is no xclbin");
+  for (const std::size_t bytes : {std::size_t{8}, std::size_t{400}, std::size_t{500}, good.size() - 1}) {
+    EXPECT_EQ(fault_of_bytes(good.substr(0, bytes)), bad + ": the xclbin is cut off") << bytes;
+  }
+  EXPECT_EQ(fault_of_bytes(xclbin_of("vadd", arguments)), bad + ": has no kernel sailmap_memory");
+  auto others = arguments;
+  std::swap(others[1], others[2]);
+  EXPECT_EQ(fault_of_bytes(xclbin_of("sailmap_memory", others)),
+            bad + ": its kernel sailmap_memory has other arguments");
+  others = arguments;
+  others.emplace_back("more");
+  EXPECT_EQ(fault_of_bytes(xclbin_of("sailmap_memory", others)),
+            bad + ": its kernel sailmap_memory has other arguments");
+}
+
+// Without emulation: this machine has no card, or at least not so many. In processes of their own, for XRT
+// asks what to emulate once.
+TEST_F(Noop, NoSuchCard) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto say = [this] {
+    unsetenv("XCL_EMULATION_MODE");
+    std::cerr << fault_of(xclbin, 900) << '\n';
+    std::exit(0);
+  };
+  EXPECT_EXIT(say(), ::testing::ExitedWithCode(0), "^device 900 cannot be opened: [^\n]+\n$");
+}
+
+TEST_F(Noop, XrtWithoutItsLibraries) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto say = [this] {
+    setenv("XILINX_XRT", "/nonexistent", 1);
+    std::cerr << fault_of(xclbin) << '\n';
+    std::exit(0);
+  };
+  EXPECT_EXIT(say(), ::testing::ExitedWithCode(0), "^device 0 cannot be opened: [^\n]+\n$");
+}
+
+TEST_F(Noop, SectionsOutsideTheFile) {
+  std::string bytes = xclbin_of("sailmap_memory", arguments);
+  // The offset and the size of the first section, as xclbin.h lays them out.
+  for (const std::size_t at : {std::size_t{456 + 24}, std::size_t{456 + 32}}) {
+    std::string broken = bytes;
+    broken[at + 5] = '\x7f';
+    const std::string path = folder.file("broken.xclbin", broken).string();
+    EXPECT_EQ(fault_of(path), path + ": a section of the xclbin lies outside the file") << at;
+  }
+}
+
+#endif
+
+}  // namespace
+}  // namespace sailmap::testing

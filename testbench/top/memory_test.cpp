@@ -1,0 +1,106 @@
+// The top between memory and memory: the words of the quantised reference at their places, nothing beyond
+// them, and a report of every start.
+#include "memory.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+#include <vector>
+
+#include "csim/expected.hpp"
+#include "csim/frames.hpp"
+
+namespace sailmap::testing {
+namespace {
+
+using Config = top::Config;
+using Report = std::array<std::uint32_t, SAILMAP_REPORT_WORDS>;
+constexpr std::uint32_t untouched = 0xa5a5a5a5;
+
+std::vector<sailmap_memory_beat> beats_of(const csim::Frame& frame) {
+  std::vector<sailmap_memory_beat> beats(frame.rgb.size() / 3 / Config::beat);
+  for (std::size_t i = 0; i < frame.rgb.size() / 3; ++i) {
+    sailmap_memory_beat& beat = beats[i / Config::beat];
+    for (int bit = 0; bit < 32; ++bit) {
+      const unsigned byte = bit < 24 ? frame.rgb[3 * i + static_cast<std::size_t>(bit / 8)] : 0xc3U;
+      beat.set(32 * static_cast<int>(i % Config::beat) + bit, (byte >> (bit % 8) & 1U) != 0);
+    }
+  }
+  return beats;
+}
+
+// The kernel and memory for its largest frame, one word more a port.
+struct Memory {
+  csim::FrontEndWords words;
+  Report report{};
+
+  Memory() {
+    const std::size_t count = top::map_words + 1;
+    words.intensity_maps.assign(count, untouched);
+    words.colour_maps.assign(count, untouched);
+    words.orientation_maps.assign(count, untouched);
+    words.conspicuity_maps.assign(count, untouched);
+    words.saliency.assign(count, static_cast<std::uint16_t>(untouched));
+    words.statistics.assign(SAILMAP_STATISTICS_WORDS + 1, untouched);
+    report.fill(untouched);
+  }
+  void run(const std::vector<sailmap_memory_beat>& pixels, std::uint32_t width, std::uint32_t height,
+           std::uint32_t frame) {
+    sailmap_memory(pixels.data(), words.intensity_maps.data(), words.colour_maps.data(),
+                   words.orientation_maps.data(), words.conspicuity_maps.data(), words.saliency.data(),
+                   words.statistics.data(), report.data(), width, height, frame);
+  }
+};
+
+template <class Word>
+void expect_words(const std::vector<Word>& got, const std::vector<Word>& want) {
+  ASSERT_LT(want.size(), got.size());
+  const auto end = got.begin() + static_cast<std::ptrdiff_t>(want.size());
+  EXPECT_TRUE(std::equal(want.begin(), want.end(), got.begin()));
+  EXPECT_TRUE(std::all_of(end, got.end(), [](Word word) { return word == static_cast<Word>(untouched); }));
+}
+
+TEST(MemoryTop, FrameAfterFrameEqualsTheReference) {
+  std::mt19937 random(11);
+  std::uint32_t tag = 7;
+  for (const csim::Frame& frame :
+       {patches_frame(160, 120, random), noise_frame(96, 65, random), patches_frame(160, 128, random)}) {
+    Memory memory;
+    memory.run(beats_of(frame), static_cast<std::uint32_t>(frame.width),
+               static_cast<std::uint32_t>(frame.height), ++tag);
+    const csim::FrontEndWords want = expected(frame);
+    expect_words(memory.words.intensity_maps, want.intensity_maps);
+    expect_words(memory.words.colour_maps, want.colour_maps);
+    expect_words(memory.words.orientation_maps, want.orientation_maps);
+    expect_words(memory.words.conspicuity_maps, want.conspicuity_maps);
+    expect_words(memory.words.saliency, want.saliency);
+    expect_words(memory.words.statistics, want.statistics);
+    EXPECT_THAT(memory.report, ::testing::ElementsAre(0x534d0001U, Config::max_width, Config::max_height,
+                                                      Config::beat, 64U, frame.width, frame.height, tag,
+                                                      want.saliency.size(), 1U, 0U, 0U, 0U, 0U, 0U, 0U));
+  }
+}
+
+TEST(MemoryTop, ASizeItDoesNotTakeIsRefusedAndNothingButTheReportWritten) {
+  const std::vector<sailmap_memory_beat> pixels(1);
+  const Memory before;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sizes = {
+      {0, 0},  {63, 64},          {64, 63},         {Config::max_width + 8, 64}, {64, Config::max_height + 1},
+      {64, 0}, {0x10040U, 0x40U}, {64, 0x80000040U}};
+  if (Config::beat > 1) sizes.emplace_back(64 + Config::beat / 2, 64);
+  for (const auto& [width, height] : sizes) {
+    Memory memory;
+    memory.run(pixels, width, height, 3);
+    EXPECT_TRUE(memory.words == before.words) << width << "x" << height;
+    EXPECT_EQ(memory.report[SAILMAP_REPORT_STATUS], 2U);
+    EXPECT_EQ(memory.report[SAILMAP_REPORT_MAP_WORDS], 0U);
+    EXPECT_EQ(memory.report[SAILMAP_REPORT_WIDTH], width);
+    EXPECT_EQ(memory.report[SAILMAP_REPORT_HEIGHT], height);
+    EXPECT_EQ(memory.report[SAILMAP_REPORT_VERSION], 0x534d0001U);
+  }
+}
+
+}  // namespace
+}  // namespace sailmap::testing
