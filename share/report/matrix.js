@@ -163,12 +163,14 @@ export class MatrixView {
   axes(c, at) {
     c.font = "12px system-ui, sans-serif";
     c.fillStyle = css("--muted");
+    // Not nearer to each other than half of what is usual: columns need not be evenly spread.
     const ticks = (starts, along) => {
       const span = starts[starts.length - 1] - starts[0];
       const step = Math.max(1, niceStep(span, along));
       const out = [];
       for (let v = Math.ceil(starts[0] / step) * step; v <= starts[starts.length - 1]; v += step) {
-        out.push([v, (lastNotAbove(starts, v) + 0.5) / starts.length]);
+        const part = (lastNotAbove(starts, v) + 0.5) / starts.length;
+        if (out.length === 0 || part - out[out.length - 1][1] > 0.5 / along) out.push([v, part]);
       }
       return out;
     };

@@ -90,7 +90,13 @@ class LiveView(ReportCase):
         self.assertEqual(len(news["names"]), len(LAPS))
         self.assertEqual(len(news["history"]["score"]), len(LAPS))
         self.assertGreaterEqual(len(news["loops"]["image"]), 20)
-        self.assertEqual(len(news["layout"]), 2 * len(news["graph"]["images"]))
+        # The layout is renewed now and then; in the end it has all places.
+        for _ in range(600):
+            if len(self.news()["layout"]) == 2 * len(news["graph"]["images"]):
+                break
+            time.sleep(0.1)
+        else:
+            self.fail("the layout does not catch up")
         # What is asked for again is what is new, and two halves make the whole.
         rest = self.news(20)
         self.assertEqual(rest["names"], news["names"][20:])
