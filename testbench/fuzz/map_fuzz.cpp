@@ -103,6 +103,13 @@ void check_and_recover(const std::filesystem::path& path, bool loads) {
   }
 }
 
+// At one place, a second apart.
+std::vector<TimedPose> poses_for(const TopologicalMap& map) {
+  std::vector<TimedPose> poses(map.history().size());
+  for (std::size_t i = 0; i < poses.size(); ++i) poses[i].time = static_cast<double>(i);
+  return poses;
+}
+
 // The last image once more, or a flat one.
 void continue_map(const std::filesystem::path& path, TopologicalMap& map) {
   const int nodes = static_cast<int>(map.nodes().size());
@@ -129,7 +136,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   demand(content_of(path) == once, "its file is the same too, configuration and all");
   for (const std::string_view format : export_formats()) {
     std::ostringstream out;
-    export_map(stored->map, format, out);
+    export_map(stored->map, format, out, {poses_for(stored->map), false, "images"});
   }
   continue_map(path, stored->map);
   return 0;

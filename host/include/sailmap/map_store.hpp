@@ -91,8 +91,8 @@ class MapWriter {
   void append(const TopologicalMap& map, const Signature& signature, const ImageNote& note);
   // Images that could not be read, and the time taken, for the session's row.
   void note_session(int skipped, double seconds);
-  // Returns when all that was appended is on the disk. After a failure, here or in append(), the file stays as
-  // it was at the last commit, and nothing more is written.
+  // Returns when all that was appended is on the disk. After a failure, here or in append(), the file stays
+  // as it was at the last commit, and nothing more is written.
   void commit();
   // Images of the map that are in the file.
   [[nodiscard]] int committed() const;

@@ -46,7 +46,8 @@ TopologicalMap row_with_loops(int nodes, const std::vector<Loop>& loops) {
     history.push_back({image + 1, "loop", loop.to, false, detection});
     edges.push_back({loop.from, loop.to, EdgeKind::loop});
   }
-  return {config, made, edges, history, nodes - 1};
+  const int active = history.empty() ? -1 : history.back().node;
+  return {config, made, edges, history, active};
 }
 
 class MapPlotTest : public testing::FigureTest {

@@ -1,6 +1,8 @@
 """The method context and the temporal filter as a user runs them."""
 
+import contextlib
 import json
+import sqlite3
 import unittest
 
 import numpy as np
@@ -50,9 +52,9 @@ class Context(ProgramCase):
         self.run_program("run", "images", "--map", "parts.json", *options, "--max-images", "15")
         for i in range(15):
             (self.folder / f"images/{i:02}.png").unlink()
-        self.run_program("run", "images", "--map", "parts.json")
-        whole_map, parts_map = self.json("whole.json"), self.json("parts.json")
-        strip = lambda m: [(i["node"], i["detection"]["best"]) for i in m["map"]["images"]]  # noqa: E731
+        self.run_program("run", "images", "--map", "parts.json", "--resume")
+        whole_map, parts_map = self.exported("whole.json"), self.exported("parts.json")
+        strip = lambda m: [(i["node"], i["detection"]["best"]) for i in m["images"]]  # noqa: E731
         self.assertEqual(strip(whole_map), strip(parts_map))
         self.assertGreaterEqual(json.loads(whole[-1])["loops"], 10)
 
@@ -60,18 +62,20 @@ class Context(ProgramCase):
         self.write_laps()
         self.run_program("run", "images", "--map", "c.json", "--method", "context")
         self.run_program("run", "images", "--map", "p.json")
-        self.assertEqual(self.json("c.json")["map"]["config"]["temporal"], 10)
-        self.assertEqual(self.json("p.json")["map"]["config"]["temporal"], 0)
+        self.assertEqual(self.exported("c.json")["config"]["temporal"], 10)
+        self.assertEqual(self.exported("p.json")["config"]["temporal"], 0)
         self.fails("run", "images", "--map", "c.json", "--temporal", "3", says="--temporal")
 
     def test_a_damaged_descriptor_is_refused(self):
         self.write_laps()
         self.run_program("run", "images", "--map", "c.json", "--method", "context")
         path = self.folder / "c.json"
-        text = path.read_text()
-        place = text.index('"place"')
-        path.write_text(text[: place + 20] + "zz" + text[place + 22 :])
-        self.fails("run", "images", "--map", "c.json", says="c.json")
+        with contextlib.closing(sqlite3.connect(path)) as database, database:
+            database.execute("UPDATE signature SET place = substr(place, 1, length(place) - 1) WHERE id = 3")
+        self.fails("run", "images", "--map", "c.json", says="c.json: row 3 of table signature is damaged")
+
+    def exported(self, name):
+        return json.loads(self.run_program("map", "export", name, "--format", "json"))
 
     def test_match(self):
         self.write_image("a.png", scene(1))
