@@ -19,7 +19,7 @@ void sailmap_signature_front_end(sailmap::hls::stream<sailmap_pixels>& red,
 #pragma HLS interface mode = axis port = record
 #pragma HLS dataflow
   using Config = sailmap::top::Config;
-  using ::saliency;  // the stream, not the function of section 7
+  using ::saliency;              // the stream, not the function of section 7
 #include "front_end_region.inc"  // its stages
 #include "sailmap/hls/region/4_signature.inc"
 }

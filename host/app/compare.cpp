@@ -12,6 +12,7 @@
 
 #include "commands.hpp"
 #include "describe_image.hpp"
+#include "json_output.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "sailmap/comparison.hpp"
@@ -32,6 +33,7 @@ struct Options {
   std::string expected;
   fs::path out = "sailmap-compare";
   int max_images = 0;
+  bool json = false;
   MapConfig config;
 };
 
@@ -186,7 +188,11 @@ void compare(const Options& options) {
   write_file(options.out / "compare.json", [&](std::ostream& out) {
     out << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
   });
-  print(totals, loops, options);
+  if (options.json) {
+    print_json(json);
+  } else {
+    print(totals, loops, options);
+  }
 }
 
 }  // namespace
@@ -200,10 +206,8 @@ void add_compare(CLI::App& app) {
   options->tested = "quantised";
   command->get_option("--frontend")->default_str(options->tested);
   options->expected = "reference";
-  command->add_option("--against", options->expected, "What it is held against")
-      ->check(CLI::IsMember(frontend_names()).description(""))
-      ->capture_default_str()
-      ->type_name("NAME");
+  one_of(command->add_option("--against", options->expected, "What it is held against"), frontend_names())
+      ->capture_default_str();
   command
       ->add_option("--out", options->out,
                    "Folder for compare.json and worst.png, the error maps of the worst image")
@@ -214,6 +218,7 @@ void add_compare(CLI::App& app) {
                    "Stop after so many images; 0: at the end of the source")
       ->check(CLI::NonNegativeNumber.description(""))
       ->capture_default_str();
+  add_json_flag(*command, options->json, "Print what compare.json says, as one line of JSON");
   add_map_options(*command, options->config);
   command->callback([options, command] {
     settle_thresholds(*command, options->config);

@@ -10,6 +10,7 @@
 
 #include "commands.hpp"
 #include "describe_image.hpp"
+#include "json_output.hpp"
 #include "map/config_json.hpp"
 #include "options.hpp"
 #include "progress.hpp"
@@ -31,6 +32,7 @@ struct Options {
   std::string frontend;
   fs::path out = "sailmap-detect";
   bool save_maps = false;
+  bool json = false;
   RegionConfig regions;
 };
 
@@ -88,14 +90,16 @@ void save_maps(const Maps& maps, const fs::path& folder) {
   write_file(folder / "maps.json", [&](std::ostream& out) { out << formats.dump(2) << '\n'; });
 }
 
-void save_regions(const Signature& signature, const std::string& image, const std::string& frontend,
-                  const fs::path& path) {
+ordered_json json_of(const Signature& signature, const std::string& image, const std::string& frontend) {
   const ordered_json regions = to_json(signature);
-  const ordered_json json = {{"image", image},
-                             {"width", signature.width},
-                             {"height", signature.height},
-                             {"frontend", frontend},
-                             {"regions", regions.at("regions")}};
+  return {{"image", image},
+          {"width", signature.width},
+          {"height", signature.height},
+          {"frontend", frontend},
+          {"regions", regions.at("regions")}};
+}
+
+void save_regions(const ordered_json& json, const fs::path& path) {
   write_file(path, [&](std::ostream& out) {
     out << json.dump(2, ' ', false, ordered_json::error_handler_t::replace) << '\n';
   });
@@ -107,7 +111,13 @@ void detect_one(const std::string& path, const fs::path& folder, Frontend& front
   if (options.save_maps) save_maps(d.maps, folder);
   write_image(folder / "figure.png",
               saliency_figure(d.image, d.maps, d.signature, options.regions.box_side, path));
-  save_regions(d.signature, path, options.frontend, folder / "regions.json");
+  ordered_json json = json_of(d.signature, path, options.frontend);
+  save_regions(json, folder / "regions.json");
+  if (options.json) {
+    json["out"] = folder.string();
+    print_json(json);
+    return;
+  }
   fmt::print("{}: {} regions -> {}\n", path, d.signature.regions.size(), (folder / "figure.png").string());
 }
 
@@ -138,6 +148,7 @@ void add_detect(CLI::App& app) {
       ->type_name("DIR");
   command->add_flag("--save-maps", options->save_maps,
                     "Also each map as NAME.npy, and maps.json with the maps' number formats, max and m");
+  add_json_flag(*command, options->json, "Print what regions.json says, one line of JSON an image");
   add_region_options(*command, options->regions);
   command->callback([options] { detect(*options); });
 }

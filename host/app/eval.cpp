@@ -10,11 +10,14 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "measurement.hpp"
-#include "options.hpp"
+#include "experiment_options.hpp"
+#include "json_output.hpp"
+#include "report/evaluation_file.hpp"
+#include "report/page.hpp"
 #include "sailmap/bag_of_words.hpp"
 #include "sailmap/figures.hpp"
 #include "sailmap/file.hpp"
+#include "sailmap/image_source.hpp"
 #include "sailmap/npy.hpp"
 #include "table_report.hpp"
 
@@ -23,10 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
-  DataSet data;
-  std::string layout = "plain";
-  Recogniser recogniser;
+struct Options : Experiment {
   fs::path scores;
   fs::path json;
   fs::path plot;
@@ -34,6 +34,8 @@ struct Options {
   fs::path markdown;
   fs::path csv;
 };
+
+constexpr const char* standard_output = "-";
 
 // What is said of each data set and method in the table's configuration.
 constexpr std::array<const char*, 14> of_one_experiment = {
@@ -49,55 +51,57 @@ void check_table(const CLI::App& command) {
   }
 }
 
-void check(const Options& options, bool side_given, bool exclude_given) {
-  const DataSet& data = options.data;
-  if (!options.markdown.empty() || !options.csv.empty()) {
-    throw UsageError("--markdown and --csv go with --table");
+// As the images are called; the frames of a video by their numbers.
+std::vector<std::string> names_of(const std::string& source, const Selection& selection, int count) {
+  std::vector<std::string> names;
+  if (is_image_list(source)) {
+    for (const fs::path& path : selected_images(source, selection)) names.push_back(path.string());
+  } else {
+    for (int i = 0; i < count; ++i) names.push_back(fmt::format("{}#{}", source, i));
   }
-  if (data.source.empty() == data.reference.empty() || data.reference.empty() != data.query.empty()) {
-    throw UsageError("eval takes either SOURCE or both --reference and --query");
-  }
-  if (data.traverses() && exclude_given) {
-    throw UsageError("--exclude-recent is for one sequence; two traverses are compared whole");
-  }
-  if (side_given != data.selection.oxford) {
-    throw UsageError("--layout oxford and --side left|right go together");
-  }
-  if (data.selection.oxford && data.traverses()) throw UsageError("--layout oxford is for one sequence");
-  if (!data.reference_poses.empty() && !data.traverses()) {
-    throw UsageError("--reference-poses goes with --reference and --query");
-  }
-  if (options.recogniser.on_words() == options.recogniser.vocabulary.empty()) {
-    throw UsageError("--vocabulary and the methods fabmap and bow go together");
-  }
-  if (data.ground_truth.empty()) throw UsageError("eval needs --ground-truth");
+  return names;
 }
 
-Measurement measure_words(const DataSet& data, const Recogniser& recogniser, GroundTruth& truth) {
-  const fabmap::Vocabulary vocabulary = fabmap::read_vocabulary(recogniser.vocabulary);
-  truth = read_truth(data);
-  return measure(data, truth, describe(data, vocabulary), recogniser, vocabulary);
+// What a report shows of the images.
+nlohmann::ordered_json details_of(const Measurement& result, const GroundTruth& truth) {
+  const DataSet& data = result.data;
+  report::EvaluationNames names;
+  names.queries = names_of(data.queries(), data.selection, result.images);
+  if (data.traverses()) names.candidates = names_of(data.candidates(), data.selection, result.candidates);
+  const int same_place = result.recogniser.config.detection.same_place_nodes;
+  return report::evaluation_details(result.scores, truth, names, same_place);
 }
 
-// The ground truth first: a wrong one should not cost the user the wait for the images.
-Measurement measure_signatures(const DataSet& data, const Recogniser& recogniser, GroundTruth& truth) {
-  truth = read_truth(data);
-  return measure(data, truth, describe(data, recogniser.frontend, recogniser.config.regions), recogniser);
+// All figures, a line each, and the details, a line a part.
+std::string text_with_details(const Measurement& result, const GroundTruth& truth) {
+  std::string text = to_json(result).dump(2);
+  text.erase(text.rfind("\n}"));
+  const auto details = details_of(result, truth);
+  for (const auto& [key, value] : details.items()) {
+    text += fmt::format(",\n  \"{}\": {}", key, report::dump(value));
+  }
+  return text + "\n}\n";
 }
 
 void eval(const Options& options) {
   GroundTruth truth;
-  const Measurement result = options.recogniser.on_words()
-                                 ? measure_words(options.data, options.recogniser, truth)
-                                 : measure_signatures(options.data, options.recogniser, truth);
+  const Measurement result = measure(options, truth);
   if (!options.scores.empty()) write_npy(options.scores, result.scores);
   if (!options.plot.empty()) {
     write_evaluation_plot(options.plot, result.evaluation, result.scores, truth, title_of(result));
   }
-  if (!options.json.empty()) {
-    write_file(options.json, [&](std::ostream& out) { out << to_json(result).dump(2) << '\n'; });
+  const bool to_standard_output = options.json == standard_output;
+  if (!options.json.empty() && !to_standard_output) {
+    const std::string text = text_with_details(result, truth);
+    write_file(options.json, [&text](std::ostream& out) { out << text; });
   }
-  print(result);
+  if (to_standard_output) {
+    auto json = to_json(result);
+    json.update(details_of(result, truth));
+    print_json(json);
+  } else {
+    print(result);
+  }
 }
 
 void write_text(const fs::path& path, const std::string& text) {
@@ -108,43 +112,14 @@ void eval_table(const Options& options) {
   const TableConfig config = read_table_config(options.table, options.recogniser);
   const Table table = evaluate_table(config, options.table.string());
   if (!options.plot.empty()) write_table_plot(options.plot, table);
-  if (!options.json.empty()) write_text(options.json, to_json(table).dump(2) + '\n');
+  if (options.json != standard_output) write_text(options.json, to_json(table).dump(2) + '\n');
   write_text(options.markdown, to_markdown(table));
   write_text(options.csv, to_csv(table));
-  fmt::print("{}", to_text(table));
-}
-
-void add_ground_truth_options(CLI::App& command, Options& options) {
-  constexpr const char* group = "Ground truth";
-  DataSet& data = options.data;
-  command
-      .add_option("--ground-truth", data.ground_truth,
-                  "Matches (`query: candidate ...` a line, or a MATLAB .mat matrix) or poses (KITTI, TUM, "
-                  "CSV with x,y or lat,lon); of the queries, when there are two traverses")
-      ->type_name("FILE")
-      ->group(group);
-  command
-      .add_option("--radius", data.radius, "For poses: metres within which two images show the same place")
-      ->check(CLI::PositiveNumber.description(""))
-      ->group(group);
-  command
-      .add_option("--reference-poses", data.reference_poses,
-                  "Two traverses: the poses of the reference images")
-      ->type_name("FILE")
-      ->group(group);
-  command
-      .add_option("--layout", options.layout,
-                  "oxford: left and right images interleave, as in the FAB-MAP data sets; needs --side")
-      ->check(CLI::IsMember({"plain", "oxford"}).description(""))
-      ->capture_default_str()
-      ->type_name("plain|oxford")
-      ->group(group);
-  command.add_option("--side", data.selection.side, "Which images of an oxford layout to take")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, Side>{{"left", Side::left}, {"right", Side::right}})
-              .description(""))
-      ->type_name("left|right")
-      ->group(group);
+  if (options.json == standard_output) {
+    print_json(to_json(table));
+  } else {
+    fmt::print("{}", to_text(table));
+  }
 }
 
 void add_result_options(CLI::App& command, Options& options) {
@@ -154,7 +129,10 @@ void add_result_options(CLI::App& command, Options& options) {
                   "Similarities: float32, queries x candidates, NaN if not admissible")
       ->type_name("OUT.npy")
       ->group(group);
-  command.add_option("--json", options.json, "All figures, the curves and the parameters")
+  command
+      .add_option("--json", options.json,
+                  "All figures, the curves and the parameters; -: as one line on standard output, in place "
+                  "of the text")
       ->type_name("OUT.json")
       ->group(group);
   command
@@ -175,44 +153,27 @@ void add_result_options(CLI::App& command, Options& options) {
 void add_eval(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("eval", "Measure precision and recall against ground truth");
-  DataSet& data = options->data;
-  command->add_option("SOURCE", data.source,
-                      "One sequence: folder, glob in quotes, list file (.txt) or video");
-  command->add_option("--reference", data.reference, "Two traverses: where the map images are")
-      ->type_name("DIR");
-  command->add_option("--query", data.query, "Two traverses: where the query images are")->type_name("DIR");
+  add_data_options(*command, *options);
   command
       ->add_option("--table", options->table,
                    "Several data sets and methods, as this JSON file says (docs/data_sets.md)")
       ->type_name("CONFIG");
-  add_ground_truth_options(*command, *options);
   add_result_options(*command, *options);
-  const CLI::Option* exclude = command
-                                   ->add_option("--exclude-recent", data.exclude_recent,
-                                                "Do not compare an image with so many just before it")
-                                   ->check(CLI::NonNegativeNumber.description(""))
-                                   ->capture_default_str();
-  Recogniser& recogniser = options->recogniser;
-  MapConfig& config = recogniser.config;
-  add_frontend_option(*command, recogniser.frontend);
-  add_threshold_option(*command, config.detection.threshold,
+  add_recognition_options(*command, *options);
+  add_threshold_option(*command, options->recogniser.config.detection.threshold,
                        fmt::format(", {:g} for fabmap (log-odds: p = 0.99), {:g} for bow",
                                    fabmap::default_threshold, bow::default_threshold));
-  add_recogniser_options(*command, recogniser);
-  add_constraint_options(*command, config.match);
-  add_temporal_option(*command, config.temporal)->capture_default_str();
-  add_region_options(*command, config.regions);
-  const CLI::Option* side = command->get_option("--side");
   const CLI::Option* threshold = command->get_option("--threshold");
-  command->callback([options, command, side, exclude, threshold] {
+  command->callback([options, command, threshold] {
     if (!options->table.empty()) {
       check_table(*command);
       eval_table(*options);
       return;
     }
-    options->data.selection.oxford = options->layout == "oxford";
-    settle(options->recogniser, threshold->count() > 0);
-    check(*options, side->count() > 0, exclude->count() > 0);
+    settle_experiment(*command, *options, threshold->count() > 0);
+    if (!options->markdown.empty() || !options->csv.empty()) {
+      throw UsageError("--markdown and --csv go with --table");
+    }
     eval(*options);
   });
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "json_output.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/image_source.hpp"
 
@@ -19,6 +20,7 @@ struct Options {
   std::string source;
   std::filesystem::path out;
   int every = 1;
+  bool json = false;
   fabmap::TrainingConfig config;
 };
 
@@ -43,9 +45,17 @@ void train(const Options& options) {
   fabmap::write_vocabulary(options.out, vocabulary);
   std::size_t words = 0;
   for (const fabmap::Words& image : vocabulary.training) words += image.size();
+  const double words_per_image = static_cast<double>(words) / static_cast<double>(images.size());
+  if (options.json) {
+    print_json({{"source", options.source},
+                {"out", options.out.string()},
+                {"words", vocabulary.tree.size()},
+                {"images", images.size()},
+                {"words_per_image", words_per_image}});
+    return;
+  }
   fmt::print("{}: {} words from {} images, {:.1f} words an image\n", options.out.string(),
-             vocabulary.tree.size(), images.size(),
-             static_cast<double>(words) / static_cast<double>(images.size()));
+             vocabulary.tree.size(), images.size(), words_per_image);
 }
 
 void add_train(CLI::App& fabmap) {
@@ -67,6 +77,7 @@ void add_train(CLI::App& fabmap) {
   count("--every", options->every, "Take every so many-th image", 1);
   command->add_option("--seed", options->config.seed, "The same seed gives the same words")
       ->capture_default_str();
+  add_json_flag(*command, options->json);
   command->callback([options] { train(*options); });
 }
 

@@ -45,7 +45,12 @@ int parse_and_run(int argc, char** argv) {
   sailmap::app::add_perturb(app);
   sailmap::app::add_simulate(app);
   sailmap::app::add_map(app);
+  sailmap::app::add_loops(app);
+  sailmap::app::add_tune(app);
+  sailmap::app::add_report(app);
   sailmap::app::add_fabmap(app);
+  sailmap::app::add_completion(app);
+  sailmap::app::add_manual(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& fault) {
@@ -63,6 +68,8 @@ int main(int argc, char** argv) {
     spdlog::set_default_logger(spdlog::stderr_color_st("sailmap"));
     spdlog::set_pattern("sailmap: %^%l%$: %v");
     return parse_and_run(argc, argv);
+  } catch (const sailmap::app::Exit& result) {
+    return result.code;
   } catch (const sailmap::app::UsageError& fault) {
     spdlog::error("{}", fault.what());
     return exit_usage;

@@ -3,28 +3,19 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "commands.hpp"
+#include "json_output.hpp"
+#include "load_map.hpp"
 #include "map/config_json.hpp"
-#include "run_report.hpp"
-#include "sailmap/error.hpp"
 #include "sailmap/figures.hpp"
-#include "sailmap/file.hpp"
-#include "sailmap/map_export.hpp"
 #include "sailmap/map_store.hpp"
 
 namespace sailmap::app {
 namespace {
-
-StoredMap load(const std::string& path) {
-  const auto store = open_map_store(path);
-  if (!store->exists()) throw Error(path + ": no such file");
-  return store->load();
-}
 
 struct Counts {
   int paths = 0;
@@ -38,7 +29,7 @@ Counts count_edges(const TopologicalMap& map) {
 }
 
 void info(const std::string& path, bool json) {
-  const StoredMap stored = load(path);
+  const StoredMap stored = load_map(path);
   const std::vector<Session> sessions = MapStore(path).sessions();
   const Counts edges = count_edges(stored.map);
   const auto config = to_json(stored.map.config());
@@ -52,15 +43,15 @@ void info(const std::string& path, bool json) {
                       {"skipped", s.skipped},
                       {"seconds", s.seconds}});
     }
-    fmt::print("{}\n", dump({{"map", path},
-                             {"frontend", stored.frontend},
-                             {"images", stored.map.images()},
-                             {"nodes", stored.map.nodes().size()},
-                             {"path_edges", edges.paths},
-                             {"loop_edges", edges.loops},
-                             {"loops", stored.map.loops()},
-                             {"sessions", runs},
-                             {"config", config}}));
+    print_json({{"map", path},
+                {"frontend", stored.frontend},
+                {"images", stored.map.images()},
+                {"nodes", stored.map.nodes().size()},
+                {"path_edges", edges.paths},
+                {"loop_edges", edges.loops},
+                {"loops", stored.map.loops()},
+                {"sessions", runs},
+                {"config", config}});
     return;
   }
   fmt::print(
@@ -77,25 +68,16 @@ void info(const std::string& path, bool json) {
   fmt::print("parameters {}\n", config.dump());
 }
 
-void export_to(const std::string& path, const std::string& format, const std::string& out) {
-  const StoredMap stored = load(path);
-  if (out.empty()) {
-    export_map(stored.map, format, std::cout);
-    return;
-  }
-  write_file(out, [&](std::ostream& stream) { export_map(stored.map, format, stream); });
-}
-
-void draw(const std::string& path, const std::string& out) { write_map_plot(out, load(path).map, path); }
-
-// The format that the extension of `out` names, when none was given.
-std::string format_for(const std::string& format, const std::string& out) {
-  if (!format.empty()) return format;
-  const std::string extension = std::filesystem::path(out).extension().string();
-  for (const std::string_view known : export_formats()) {
-    if (extension == "." + std::string(known)) return std::string(known);
-  }
-  throw UsageError("say --format, or --out with an extension that names it");
+void draw(const std::string& path, const std::string& out, bool json) {
+  const StoredMap stored = load_map(path);
+  write_map_plot(out, stored.map, path);
+  if (!json) return;
+  print_json({{"map", path},
+              {"out", out},
+              {"images", stored.map.images()},
+              {"nodes", stored.map.nodes().size()},
+              {"edges", stored.map.edges().size()},
+              {"loops", stored.map.loops()}});
 }
 
 }  // namespace
@@ -103,7 +85,6 @@ std::string format_for(const std::string& format, const std::string& out) {
 void add_map(CLI::App& app) {
   struct Options {
     std::string file;
-    std::string format;
     std::string out;
     bool json = false;
   };
@@ -115,21 +96,14 @@ void add_map(CLI::App& app) {
   info_command->add_flag("--json", options->json, "As one line of JSON");
   info_command->callback([options] { info(options->file, options->json); });
   add_map_upkeep(*command);
-  CLI::App* export_command = command->add_subcommand("export", "Write the map in another format");
-  export_command->add_option("FILE", options->file, "The map")->required();
-  std::vector<std::string> formats;
-  for (const std::string_view format : export_formats()) formats.emplace_back(format);
-  export_command->add_option("--format", options->format, "The format; without, the extension of --out")
-      ->check(CLI::IsMember(formats).description(""))
-      ->type_name("dot|graphml|g2o|csv|json");
-  export_command->add_option("--out", options->out, "Where to; without, standard output")->type_name("FILE");
-  export_command->callback(
-      [options] { export_to(options->file, format_for(options->format, options->out), options->out); });
+  add_map_export(*command);
+  add_map_diff(*command);
   CLI::App* draw_command =
       command->add_subcommand("draw", "Draw the map as a graph, loops coloured by similarity");
   draw_command->add_option("FILE", options->file, "The map")->required();
   draw_command->add_option("--out", options->out, "The drawing")->required()->type_name("OUT.svg");
-  draw_command->callback([options] { draw(options->file, options->out); });
+  add_json_flag(*draw_command, options->json, "Say what was drawn, as one line of JSON");
+  draw_command->callback([options] { draw(options->file, options->out, options->json); });
 }
 
 }  // namespace sailmap::app

@@ -68,11 +68,9 @@ void add_xrt_options(CLI::App& command, const std::string& frontend) {
       ->check(CLI::Range(1, 3600000).description(""))
       ->capture_default_str()
       ->group(xrt_group);
-  command
-      .add_option("--fallback", options->settings.fallback,
-                  "Front end that takes over when the card fails; without it that is an error")
-      ->check(CLI::IsMember({"fixed"}).description(""))
-      ->type_name("fixed")
+  one_of(command.add_option("--fallback", options->settings.fallback,
+                            "Front end that takes over when the card fails; without it that is an error"),
+         {"fixed"})
       ->group(xrt_group);
   command.parse_complete_callback([&frontend, options] {
     if (options->settings.xclbin.empty()) {
@@ -87,12 +85,19 @@ void add_xrt_options(CLI::App& command, const std::string& frontend) {
 
 }  // namespace
 
+CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& names) {
+  return option->check(CLI::IsMember(names).description(""))
+      ->type_name(fmt::format("{}", fmt::join(names, "|")));
+}
+
+std::vector<std::string> to_strings(const std::vector<std::string_view>& names) {
+  return {names.begin(), names.end()};
+}
+
 void add_frontend_option(CLI::App& command, std::string& frontend) {
   frontend = frontend_names().front();
-  command.add_option("--frontend", frontend, "What computes the maps")
-      ->check(CLI::IsMember(frontend_names()).description(""))
-      ->capture_default_str()
-      ->type_name("NAME");
+  one_of(command.add_option("--frontend", frontend, "What computes the maps"), frontend_names())
+      ->capture_default_str();
   add_xrt_options(command, frontend);
 }
 
@@ -161,12 +166,11 @@ OptionKeys add_match_options(CLI::App& command, MatchConfig& config) {
 
 std::vector<CLI::Option*> add_recogniser_options(CLI::App& command, Recogniser& recogniser) {
   recogniser.method = name(MatchConfig{}.method);
-  CLI::Option* method = command
-                            .add_option("--method", recogniser.method,
-                                        "Similarity; fabmap and bow: by visual words, need --vocabulary")
-                            ->check(CLI::IsMember(recogniser_names()).description(""))
-                            ->capture_default_str()
-                            ->type_name(fmt::format("{}", fmt::join(recogniser_names(), "|")));
+  CLI::Option* method =
+      one_of(command.add_option("--method", recogniser.method,
+                                "Similarity; fabmap and bow: by visual words, need --vocabulary"),
+             recogniser_names())
+          ->capture_default_str();
   CLI::Option* vocabulary =
       command
           .add_option("--vocabulary", recogniser.vocabulary,

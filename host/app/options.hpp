@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiment.hpp"
@@ -15,6 +16,10 @@ namespace sailmap::app {
 // Options by the JSON pointer of the configuration value they set ("/match/method").
 using OptionKeys = std::map<std::string, CLI::Option*>;
 
+// The option takes one of these names and shows them as what it takes; completion and man pages read them
+// there.
+CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& names);
+std::vector<std::string> to_strings(const std::vector<std::string_view>& names);
 // --frontend, and what the front end xrt needs.
 void add_frontend_option(CLI::App& command, std::string& frontend);
 OptionKeys add_region_options(CLI::App& command, RegionConfig& config);

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "json_output.hpp"
+#include "options.hpp"
 #include "progress.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/figures.hpp"
@@ -26,6 +28,7 @@ struct Options {
   std::string kind;
   double strength = 0;
   std::uint64_t seed = 1;
+  bool json = false;
 };
 
 // PNG, which keeps every pixel as it is. The names stay, and so the natural order.
@@ -51,6 +54,15 @@ void perturb_all(const Options& options) {
     progress.step_to(static_cast<int>(i) + 1);
   }
   progress.clear();
+  if (options.json) {
+    print_json({{"source", options.source},
+                {"out", options.out.string()},
+                {"images", images.size()},
+                {"kind", options.kind},
+                {"strength", options.strength},
+                {"seed", options.seed}});
+    return;
+  }
   fmt::print("{}: {} images, {} {:g}\n", options.out.string(), images.size(), options.kind, options.strength);
 }
 
@@ -71,15 +83,13 @@ void add_perturb(CLI::App& app) {
       ->add_option("SOURCE", options->source, "Folder of images, glob in quotes, list file (.txt) or image")
       ->required();
   command->add_option("--out", options->out, "Folder for the copies, PNG")->required()->type_name("DIR");
-  std::vector<std::string> kinds;
-  for (const std::string_view kind : perturbation_names()) kinds.emplace_back(kind);
-  command->add_option("--kind", options->kind, "What happens to them")
-      ->required()
-      ->check(CLI::IsMember(kinds).description(""))
-      ->type_name(fmt::format("{}", fmt::join(kinds, "|")));
+  one_of(command->add_option("--kind", options->kind, "What happens to them"),
+         to_strings(perturbation_names()))
+      ->required();
   command->add_option("--strength", options->strength, strengths())->required()->type_name("X");
   command->add_option("--seed", options->seed, "Decides noise and where the occlusion is")
       ->capture_default_str();
+  add_json_flag(*command, options->json);
   command->callback([options] { perturb_all(*options); });
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "live_view.hpp"
 #include "map/config_json.hpp"
 #include "options.hpp"
 #include "run_report.hpp"
@@ -34,6 +35,7 @@ struct Options {
   bool resume = false;
   int max_images = 0;
   int thumbnails = 0;
+  ViewOptions view;
   MapConfig config;
 };
 
@@ -101,6 +103,7 @@ class Committer {
 
 void extend(const Options& options, const OptionKeys& given) {
   const auto source = open_source(options.source);
+  LiveView view(options.view, options.map);
   MapWriter writer(options.map);
   StoredMap stored = open_map(writer, options, given);
   TopologicalMap& map = stored.map;
@@ -116,11 +119,13 @@ void extend(const Options& options, const OptionKeys& given) {
     writer.begin_session(stored, options.source);
   }
   const int before = map.images();
+  view.begin(map, stored.frontend);
   RunCounts counts;
   Committer committer(writer);
   run.use = [&](const PipelineImage& image, Progress& progress) {
     const Update& update = map.add(image.name, image.signature);
     writer.append(map, image.signature, image.note);
+    view.update(map);
     writer.note_session(counts.skipped, counts.seconds);
     if (!update.detection.accepted()) return committer.commit_sometimes();
     ++counts.loops;
@@ -210,6 +215,8 @@ void add_run(CLI::App& app) {
           ->check(CLI::Range(0, 4096).description(""))
           ->capture_default_str();
   localise_flag->excludes(resume)->excludes(thumbnails);
+  add_view_options(*command, options->view);
+  localise_flag->excludes(command->get_option("--view"));
   add_frontend_option(*command, options->frontend);
   OptionKeys keys = add_map_options(*command, options->config);
   keys["/frontend"] = command->get_option("--frontend");

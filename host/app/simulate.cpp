@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "json_output.hpp"
 #include "progress.hpp"
 #include "sailmap/simulator.hpp"
 
@@ -14,12 +15,24 @@ namespace {
 struct Options {
   std::filesystem::path out;
   SimulationConfig config;
+  bool json = false;
 };
 
 void simulate(const Options& options) {
   {
     Progress progress("simulate", options.config.images);
     write_simulation(options.out, options.config, [&](int done) { progress.step_to(done); });
+  }
+  if (options.json) {
+    print_json({{"out", options.out.string()},
+                {"images", options.config.images},
+                {"width", options.config.width},
+                {"height", options.config.height},
+                {"seed", options.config.seed},
+                {"source", (options.out / "images").string()},
+                {"ground_truth", (options.out / "ground_truth.txt").string()},
+                {"poses", (options.out / "poses.txt").string()}});
+    return;
   }
   fmt::print("{}: {} images of {}x{}, ground truth, poses\n", options.out.string(), options.config.images,
              options.config.width, options.config.height);
@@ -57,6 +70,7 @@ void add_simulate(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--textures", c.textures, "Photographs for the facades; procedural ones without")
       ->type_name("DIR");
+  add_json_flag(*command, options->json);
   command->callback([options] { simulate(*options); });
 }
 

@@ -5,6 +5,7 @@ import re
 from dataclasses import dataclass
 
 from job import Fault, checked
+from parts import Modules, anonymous
 
 # What the components of Bambu's library and its names cause in every design, whatever the source is:
 WAIVED = {
@@ -39,6 +40,11 @@ class Area:
     dsp: int
 
 
+def sum_of(areas):
+    areas = list(areas)
+    return Area(*(sum(getattr(area, field) for area in areas) for field in ("lut", "ff", "bram", "dsp")))
+
+
 def xc7(cells):
     """LUTs that are memory or shift registers are LUTs: one a RAM32X1D half, four a RAM32M, and so on."""
     as_memory = {"RAM32X1D": 2, "RAM64X1D": 2, "RAM32X1S": 1, "RAM64X1S": 1, "RAM128X1D": 4, "RAM128X1S": 2, "RAM32M": 4,
@@ -58,15 +64,36 @@ def ecp5(cells):
 FAMILIES = {"xc7": ("synth_xilinx -family xc7 -flatten -noiopad", xc7), "ecp5": ("synth_ecp5", ecp5)}
 
 
-def area(job, family, seconds):
-    """The Area of a top in a family."""
-    command, count = FAMILIES[family]
-    statistics = job.folder / f"{family}.json"
+def cells(job, family, verilog, top, name, seconds):
+    """Cells by type of a module, flattened."""
+    command = FAMILIES[family][0]
+    statistics = job.folder / f"{name}.json"
     if not statistics.exists() or statistics.stat().st_mtime < job.verilog.stat().st_mtime:
+        source = job.folder / f"{name}.v"
+        source.write_text(verilog, encoding="utf-8")
         # Deferred: components without a use would look for memory files that are not there.
-        script = (f"read_verilog -defer {job.verilog.name}; {command} -top {job.module()}; "
-                  f"tee -q -o {statistics.name}.new stat -json")
-        checked(["yosys", "-q", "-p", script], job.folder / f"{family}.log", job.folder, seconds)
+        script = f"read_verilog -defer {source.name}; {command} -top {top}; tee -q -o {statistics.name}.new stat -json"
+        checked(["yosys", "-q", "-p", script], job.folder / f"{name}.log", job.folder, seconds)
         (job.folder / f"{statistics.name}.new").rename(statistics)
-    cells = json.loads(statistics.read_text(encoding="utf-8"))["design"]["num_cells_by_type"]
-    return count(cells)
+        source.unlink()
+    return json.loads(statistics.read_text(encoding="utf-8"))["design"]["num_cells_by_type"]
+
+
+def area(job, family, seconds):
+    """The Area of a top in a family, and that of each of its parts (parts.py) where it is a region."""
+    count = FAMILIES[family][1]
+    verilog = job.verilog.read_text(encoding="utf-8")
+    if not job.is_network:
+        return count(cells(job, family, verilog, job.module(), family, seconds)), {}
+    modules = Modules(verilog)
+    stages = modules.stages(job.module())
+    counted, parts = {}, {}
+    for stage in stages:
+        text = modules.below(stage)
+        alike = anonymous(text)
+        if alike not in counted:
+            counted[alike] = count(cells(job, family, text, stage, f"{family}-{len(counted)}", seconds))
+        parts[stage] = counted[alike]
+    rest = modules.below(job.module(), stages)
+    parts["FIFOs and control"] = count(cells(job, family, rest, job.module(), f"{family}-rest", seconds))
+    return sum_of(parts.values()), parts

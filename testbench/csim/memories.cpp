@@ -9,8 +9,9 @@ namespace {
 using namespace sailmap;
 using memories::Memory;
 
-// Words up to which an array is taken for distributed memory: a row of the base level at VGA.
-constexpr int shallow = 160;
+// Words up to which an array is taken for distributed memory: three LUTs deep, which a row of the base level
+// at VGA fills.
+constexpr int shallow = 192;
 
 bool in_luts(const Memory& memory) { return memory.words <= shallow; }
 

@@ -56,4 +56,8 @@ struct MapPruning {
 MapPruning prune_map(const std::filesystem::path& from, const std::filesystem::path& to,
                      const PruneOptions& options);
 
+// The threshold that new images are judged by; everything else in the file stays. A JSON map becomes a
+// database.
+void set_threshold(const std::filesystem::path& path, double threshold);
+
 }  // namespace sailmap

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <opencv2/core.hpp>
 #include <utility>
 #include <vector>
@@ -164,6 +165,18 @@ std::string GraphDrawing::render() {
   gvFreeLayout(context_, graph_.get());
   if (failed != 0 || svg.find("</svg>") == std::string::npos) throw Error("graphviz cannot draw the graph");
   return svg;
+}
+
+std::map<int, cv::Point2d> GraphDrawing::positions(const std::string& engine) {
+  arrange(engine);
+  std::map<int, cv::Point2d> out;
+  for (Agnode_t* node : nodes_of(graph_.get())) {
+    cv::Point2d at;
+    // A single node is not arranged, and has none.
+    std::sscanf(agget(node, Chars("pos")), "%lf,%lf", &at.x, &at.y);
+    out.emplace(std::stoi(agnameof(node)), at);
+  }
+  return out;
 }
 
 std::string GraphDrawing::svg(const std::string& engine) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <opencv2/core/types.hpp>
 #include <string>
 
 namespace sailmap {
@@ -30,6 +31,10 @@ class GraphDrawing {
   // Laid out by `engine` (neato, sfdp, ...), turned so that it is wider than high, and scaled to a page of
   // about 1200 x 900 pixels. Once per object. Throws Error when graphviz fails.
   std::string svg(const std::string& engine);
+
+  // Where `engine` lays the nodes out, by id: turned and scaled as above, points, y upwards. Instead of
+  // svg(). Throws Error when graphviz fails.
+  std::map<int, cv::Point2d> positions(const std::string& engine);
 
  private:
   struct Close {

@@ -26,6 +26,15 @@ def scene(place, width=160, height=120):
     return image
 
 
+def simulated(case, *arguments):
+    """The folder of a simulated sequence of small images that all tests of the class `case` share and leave alone."""
+    folder = tempfile.TemporaryDirectory()
+    case.addClassCleanup(folder.cleanup)
+    out = pathlib.Path(folder.name) / "s"
+    subprocess.run([SAILMAP, "simulate", "--out", out, "--width", "160", "--height", "120", *arguments], check=True, capture_output=True)
+    return out
+
+
 class ProgramCase(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

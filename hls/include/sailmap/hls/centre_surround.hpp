@@ -2,8 +2,8 @@
 //
 // Streams, level `Level`, one pixel a word, raster order. In: intensity; green, blue, red, yellow as lanes.
 // Out: intensity on and off as lanes; the four colours' on as lanes. Formats: intensity, colour in;
-// intensity_contrast, colour_contrast out. Latency: 7 rows and 7 columns. II 1 on the base level, 4 and 16 on
-// the coarser ones. Rows stand alone: a row takes 14 words of filling and 7 of flushing. Maximum error
+// intensity_contrast, colour_contrast out. Latency: 7 rows and 10 columns. II 1 on the base level, 4 and 16
+// on the coarser ones. Rows stand alone: a row takes 7 words of filling and 10 of flushing. Maximum error
 // against the exact contrast of the exact level: accuracy::contrast_error; of the same samples: half a unit
 // of the output.
 //
@@ -13,6 +13,7 @@
 #pragma once
 
 #include "sailmap/hls/arithmetic.hpp"
+#include "sailmap/hls/delays.hpp"
 #include "sailmap/hls/geometry.hpp"
 #include "sailmap/hls/lanes.hpp"
 #include "sailmap/hls/pragmas.hpp"
@@ -29,26 +30,32 @@ constexpr int to_small = geometry::surround_radius_large - geometry::surround_ra
 constexpr int to_centre = geometry::surround_radius_small;  // from where the small window begins
 constexpr int to_end = geometry::surround_radius_small + 1;
 
+// The first column of a row stands for those before it: it goes in so much oftener.
+constexpr int surround_filling = geometry::surround_radius_large;
+
 template <class Config, int Level>
 struct CentreSurround {
   static constexpr int columns = Config::level_width(Level);
 };
 
-// `Rows` rows of words; Segment tells the memories of a stage apart.
+// `Rows` rows of words, and one more for turns without a new column; Segment tells the memories of a stage
+// apart.
 template <class Stage, int Segment, class Word, int Rows>
 struct RowMemory {
-  static Word words[Rows * Stage::columns];
+  static constexpr int none = Rows * Stage::columns;
+  static Word words[none + 1];
 };
 template <class Stage, int Segment, class Word, int Rows>
-SAILMAP_MEMORY Word RowMemory<Stage, Segment, Word, Rows>::words[Rows * Stage::columns];
+SAILMAP_MEMORY Word
+    RowMemory<Stage, Segment, Word, Rows>::words[RowMemory<Stage, Segment, Word, Rows>::none + 1];
 
-// Sums of the columns of one channel: over 15 rows low, over 7 rows high.
+// Sums of the columns of one channel: over 15 rows low, over 7 rows high; and a word for turns without.
 template <class Stage, int Channel>
 struct BoxColumns {
-  static uint64_t sums[Stage::columns];
+  static uint64_t sums[Stage::columns + 1];
 };
 template <class Stage, int Channel>
-SAILMAP_MEMORY uint64_t BoxColumns<Stage, Channel>::sums[Stage::columns];
+SAILMAP_MEMORY uint64_t BoxColumns<Stage, Channel>::sums[Stage::columns + 1];
 
 // Where each row memory is; the offsets are those of a slot's first word.
 struct RowSlots {
@@ -84,29 +91,37 @@ struct ColumnTaps {
   Word newest, small_in, centre, small_out, large_out;
 };
 
+// Where a turn works: column x, and whether it takes one in. A turn that does not stores where nobody looks.
+struct ColumnPlace {
+  int x;
+  bool takes;
+};
+
+template <class Stage, int Segment, class Word, int Rows>
+inline Word pass_on(int slot, ColumnPlace at, Word in) {
+  using Memory = RowMemory<Stage, Segment, Word, Rows>;
+  const Word out = Memory::words[slot + at.x];
+  Memory::words[at.takes ? slot + at.x : Memory::none] = in;
+  return out;
+}
+
 // Before the frame stands its first row, over and over: the first memory still has it in slot 0 when it is
 // needed, and what a later memory is given in its first rows is that row already.
 template <class Stage, class Word>
-inline ColumnTaps<Word> column_taps(Word read, bool beyond, int x, const RowSlots& slots) {
-  Word* const first = RowMemory<Stage, 1, Word, to_small>::words;
-  Word* const second = RowMemory<Stage, 2, Word, to_centre>::words;
-  Word* const third = RowMemory<Stage, 3, Word, to_end>::words;
-  Word* const fourth = RowMemory<Stage, 4, Word, to_small>::words;
+inline ColumnTaps<Word> column_taps(Word read, bool is_read, ColumnPlace at, const RowSlots& slots) {
+  using First = RowMemory<Stage, 1, Word, to_small>;
   ColumnTaps<Word> taps = ColumnTaps<Word>();
-  const Word again = first[slots.first_before + x];
-  taps.newest = beyond ? again : read;
-  const Word a = first[(slots.row < to_small ? 0 : slots.first) + x];
+  const Word again = First::words[slots.first_before + at.x];
+  taps.newest = is_read ? read : again;
+  const Word a = First::words[(slots.row < to_small ? 0 : slots.first) + at.x];
   taps.small_in = slots.row == 0 ? taps.newest : a;
-  first[slots.first + x] = taps.newest;
-  const Word b = second[slots.second + x];
+  First::words[at.takes ? slots.first + at.x : First::none] = taps.newest;
+  const Word b = pass_on<Stage, 2, Word, to_centre>(slots.second, at, taps.small_in);
   taps.centre = slots.row < to_centre ? taps.small_in : b;
-  second[slots.second + x] = taps.small_in;
-  const Word c = third[slots.third + x];
+  const Word c = pass_on<Stage, 3, Word, to_end>(slots.third, at, taps.centre);
   taps.small_out = slots.row < to_end ? taps.centre : c;
-  third[slots.third + x] = taps.centre;
-  const Word d = fourth[slots.fourth + x];
+  const Word d = pass_on<Stage, 4, Word, to_small>(slots.fourth, at, taps.small_out);
   taps.large_out = slots.row < to_small ? taps.small_out : d;
-  fourth[slots.fourth + x] = taps.small_out;
   return taps;
 }
 
@@ -119,10 +134,10 @@ struct BoxColumn {
 // The first row stands for all above it. Selections of values already there rather than cases, so that loads
 // need not wait for them.
 template <class Stage, int Channel>
-inline BoxColumn box_column(int x, bool first_row, uint16_t newest, uint16_t small_in, uint16_t centre,
-                            uint16_t small_out, uint16_t large_out) {
+inline BoxColumn box_column(ColumnPlace at, bool first_row, uint16_t newest, uint16_t small_in,
+                            uint16_t centre, uint16_t small_out, uint16_t large_out) {
   uint64_t* const sums = BoxColumns<Stage, Channel>::sums;
-  const uint64_t stored = sums[x];
+  const uint64_t stored = sums[at.x];
   const uint64_t before = first_row ? 0 : stored;
   const uint32_t large_enters = first_row ? 16U * newest : newest + 0U;
   const uint32_t large_leaves = first_row ? newest : large_out;
@@ -132,15 +147,22 @@ inline BoxColumn box_column(int x, bool first_row, uint16_t newest, uint16_t sma
   BoxColumn out = {0, 0, centre};
   out.large = static_cast<uint32_t>(before) + large_enters - large_leaves;
   out.small = static_cast<uint32_t>(before >> 32) + small_enters - small_leaves;
-  sums[x] = static_cast<uint64_t>(out.small) << 32 | out.large;
+  sums[at.takes ? at.x : Stage::columns] = static_cast<uint64_t>(out.small) << 32 | out.large;
   return out;
 }
 
+// The newest column of a channel: `before` where a turn takes none.
 template <class Stage, int Channel, int Index, class Word>
-inline BoxColumn box_lane(int x, bool first_row, const ColumnTaps<Word>& taps) {
-  return box_column<Stage, Channel>(x, first_row, lane<Index>(taps.newest), lane<Index>(taps.small_in),
-                                    lane<Index>(taps.centre), lane<Index>(taps.small_out),
-                                    lane<Index>(taps.large_out));
+inline BoxColumn box_lane(ColumnPlace at, bool first_row, const ColumnTaps<Word>& taps,
+                          const BoxColumn& before) {
+  const BoxColumn column = box_column<Stage, Channel>(
+      at, first_row, lane<Index>(taps.newest), lane<Index>(taps.small_in), lane<Index>(taps.centre),
+      lane<Index>(taps.small_out), lane<Index>(taps.large_out));
+  BoxColumn out = {0, 0, 0};
+  out.large = at.takes ? column.large : before.large;
+  out.small = at.takes ? column.small : before.small;
+  out.centre = at.takes ? column.centre : before.centre;
+  return out;
 }
 
 // The window sums of one channel as they run along a row. The newest column is 7 to the right of the centre.
@@ -192,13 +214,20 @@ inline uint32_t off_contrast(const BoxWindow& w) {
   return Contrasts<Level>::of(w.centre, w.small, w.large, -1);
 }
 
+// The words that a turn has for the next one to write.
+struct SurroundWords {
+  uint64_t on_off, green_blue, red_yellow;
+};
+
+// A turn reads, writes, or both; each in one place for a case, since a case is what costs Bambu time. Nothing
+// that is written waits for what is read.
 template <class Config, int Level>
 void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<uint64_t>& on_off,
                      stream<uint64_t>& green_blue, stream<uint64_t>& red_yellow, uint16_t width,
                      uint16_t height) {
   using Stage = CentreSurround<Config, Level>;
   constexpr int radius = geometry::surround_radius_large;
-  constexpr int filling = large_side - 1;  // the first column once more, so often
+  constexpr int filling = surround_filling;
   const int w = Config::columns(width, Level);
   const int h = Config::rows(height, Level);
   RowSlots slots = RowSlots();
@@ -213,44 +242,52 @@ void centre_surround(stream<uint16_t>& intensity, stream<uint64_t>& colours, str
   BoxWindow w2 = w0;
   BoxWindow w3 = w0;
   BoxWindow w4 = w0;
+  SurroundWords words = {0, 0, 0};
 #pragma nounroll
   for (int y = 0; y < h + radius; ++y) {
-    int x = 0;
+    // Bounds rather than conditions that the whole row shares, of which a compiler makes loops of their own.
+    const int end_of_reading = y < h ? filling + w : 0;
+    const int end = filling + w + radius + surround_turns;
+    const int start_of_writing = y < radius ? end : filling + radius + surround_turns;
+    ColumnPlace at = {0, false};
 #pragma nounroll
-    for (int i = 0; i < filling + w + radius; ++i) {
+    for (int i = 0; i < end; ++i) {
       SAILMAP_PIPELINE_II(geometry::area_ratio(Level))
-      if (i == 0 || (i > filling && i < filling + w)) {
-        uint16_t grey = 0;
-        uint64_t colour = 0;
-        if (y < h) {
-          grey = intensity.read();
-          colour = colours.read();
-        }
-        const ColumnTaps<uint16_t> g = column_taps<Stage>(grey, y >= h, x, slots);
-        const ColumnTaps<uint64_t> c = column_taps<Stage>(colour, y >= h, x, slots);
-        c0 = box_lane<Stage, 0, 0>(x, y == 0, g);
-        c1 = box_lane<Stage, 1, 0>(x, y == 0, c);
-        c2 = box_lane<Stage, 2, 1>(x, y == 0, c);
-        c3 = box_lane<Stage, 3, 2>(x, y == 0, c);
-        c4 = box_lane<Stage, 4, 3>(x, y == 0, c);
-        ++x;
+      at.takes = i == 0 || (i > filling && i < filling + w);
+      const bool reads = at.takes && i < end_of_reading;
+      const bool writes = i >= start_of_writing;
+      uint16_t grey = 0;
+      uint64_t colour = 0;
+      if (reads && writes) {
+        on_off.write(words.on_off);
+        grey = intensity.read();
+        colour = colours.read();
+        green_blue.write(words.green_blue);
+        red_yellow.write(words.red_yellow);
+      } else if (reads) {
+        grey = intensity.read();
+        colour = colours.read();
+      } else if (writes) {
+        on_off.write(words.on_off);
+        green_blue.write(words.green_blue);
+        red_yellow.write(words.red_yellow);
       }
+      words.on_off = wide_pair(on_contrast<Level>(w0), off_contrast<Level>(w0));
+      words.green_blue = wide_pair(on_contrast<Level>(w1), on_contrast<Level>(w2));
+      words.red_yellow = wide_pair(on_contrast<Level>(w3), on_contrast<Level>(w4));
       w0.next(c0);
       w1.next(c1);
       w2.next(c2);
       w3.next(c3);
       w4.next(c4);
-      if (y >= radius && i >= filling + radius) {
-        const uint32_t on = on_contrast<Level>(w0);
-        const uint32_t off = off_contrast<Level>(w0);
-        const uint32_t green = on_contrast<Level>(w1);
-        const uint32_t blue = on_contrast<Level>(w2);
-        const uint32_t red = on_contrast<Level>(w3);
-        const uint32_t yellow = on_contrast<Level>(w4);
-        on_off.write(wide_pair(on, off));
-        green_blue.write(wide_pair(green, blue));
-        red_yellow.write(wide_pair(red, yellow));
-      }
+      const ColumnTaps<uint16_t> g = column_taps<Stage>(grey, reads, at, slots);
+      const ColumnTaps<uint64_t> c = column_taps<Stage>(colour, reads, at, slots);
+      c0 = box_lane<Stage, 0, 0>(at, y == 0, g, c0);
+      c1 = box_lane<Stage, 1, 0>(at, y == 0, c, c1);
+      c2 = box_lane<Stage, 2, 1>(at, y == 0, c, c2);
+      c3 = box_lane<Stage, 3, 2>(at, y == 0, c, c3);
+      c4 = box_lane<Stage, 4, 3>(at, y == 0, c, c4);
+      at.x += at.takes ? 1 : 0;
     }
     slots.advance();
   }

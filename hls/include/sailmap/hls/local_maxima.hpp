@@ -3,11 +3,12 @@
 //
 // Streams, base level, a pair of maps a word, raster order. In: the exact sums, wider than 16 bits. Out: the
 // maps rounded to the 16 bits in which they are stored and leave the front end, and a word of flags a pixel,
-// bit l for lane l. Latency: 1 row and 1 column. II 1. The flags are exact; the rounding is that of the
+// bit l for lane l. Latency: 1 row and 2 columns. II 1. The flags are exact; the rounding is that of the
 // points intensity_feature and so on. `Pair` says which maps they are.
 #pragma once
 
 #include "sailmap/hls/arithmetic.hpp"
+#include "sailmap/hls/formats.hpp"
 #include "sailmap/hls/geometry.hpp"
 #include "sailmap/hls/kinds.hpp"
 #include "sailmap/hls/lanes.hpp"
@@ -28,27 +29,38 @@ SAILMAP_MEMORY uint64_t MaximaRows<Config, Pair>::newer[Config::level_width(geom
 template <class Config, int Pair>
 SAILMAP_MEMORY uint64_t MaximaRows<Config, Pair>::older[Config::level_width(geometry::base_level)];
 
-// Three rows of one column, a pair each, every sum one more than it is: 0 is less than any and stands for
-// what lies outside the image.
+// No sum has more than 22 bits, and none loses any by the mask, which tells a tool how wide its registers and
+// comparisons need be.
+constexpr uint32_t sum_bits = (1U << formats::colour_conspicuity_sum::word) - 1;
+inline uint64_t masked(uint64_t sums) { return sums & wide_pair(sum_bits, sum_bits); }
+
+// Three rows of one column, a pair each; 0 `below` the last row.
 struct MaximaColumn {
   uint64_t above, here, below;
 };
-inline uint64_t raised(uint64_t sums) { return sums + wide_pair(1, 1); }
-inline uint64_t lowered(uint64_t sums) { return sums - wide_pair(1, 1); }
 
-// Lane `Lane` of the pair at the centre of three columns.
+// Where a pixel has no neighbours.
+struct MaximaEdges {
+  bool first_column, last_column, first_row;
+};
+
+// Lane `Lane` of the pair at the centre of three columns. No sum is less than the 0 below the last row.
 template <int Lane>
-inline bool is_local_maximum(const MaximaColumn& left, const MaximaColumn& mid, const MaximaColumn& right) {
+SAILMAP_INLINED bool is_local_maximum(const MaximaColumn& left, const MaximaColumn& mid,
+                                      const MaximaColumn& right, const MaximaEdges& at) {
   const uint32_t v = wide_lane<Lane>(mid.here);
-  return v > wide_lane<Lane>(left.above) && v > wide_lane<Lane>(mid.above) &&
-         v > wide_lane<Lane>(right.above) && v > wide_lane<Lane>(left.here) &&
-         v >= wide_lane<Lane>(right.here) && v >= wide_lane<Lane>(left.below) &&
-         v >= wide_lane<Lane>(mid.below) && v >= wide_lane<Lane>(right.below);
+  const bool over_left = (at.first_row || v > wide_lane<Lane>(left.above)) &&
+                         v > wide_lane<Lane>(left.here) && v >= wide_lane<Lane>(left.below);
+  const bool over_mid = (at.first_row || v > wide_lane<Lane>(mid.above)) && v >= wide_lane<Lane>(mid.below);
+  const bool over_right = (at.first_row || v > wide_lane<Lane>(right.above)) &&
+                          v >= wide_lane<Lane>(right.here) && v >= wide_lane<Lane>(right.below);
+  return (at.first_column || over_left) && over_mid && (at.last_column || over_right);
 }
 
-inline uint8_t maxima_flags(const MaximaColumn& left, const MaximaColumn& mid, const MaximaColumn& right) {
-  return static_cast<uint8_t>((is_local_maximum<0>(left, mid, right) ? 1 : 0) |
-                              (is_local_maximum<1>(left, mid, right) ? 2 : 0));
+SAILMAP_INLINED uint8_t maxima_flags(const MaximaColumn& left, const MaximaColumn& mid,
+                                     const MaximaColumn& right, const MaximaEdges& at) {
+  return static_cast<uint8_t>((is_local_maximum<0>(left, mid, right, at) ? 1 : 0) |
+                              (is_local_maximum<1>(left, mid, right, at) ? 2 : 0));
 }
 
 // The pair in the words of the stores.
@@ -65,53 +77,65 @@ inline uint32_t stored_pair(uint64_t sums) {
 template <class Config, int Pair>
 inline MaximaColumn next_row(int x, uint64_t below) {
   using Rows = MaximaRows<Config, Pair>;
-  const MaximaColumn column = {Rows::older[x], Rows::newer[x], below};
+  const MaximaColumn column = {masked(Rows::older[x]), masked(Rows::newer[x]), below};
   Rows::older[x] = column.here;
   Rows::newer[x] = below;
   return column;
 }
 
+// The pixel that goes out, `mid`, at column `x` of its row, and its neighbours.
+template <class Config, int Pair>
+struct MaximaWindow {
+  MaximaColumn left, mid, right;
+  int x;
+
+  SAILMAP_INLINED void write(stream<uint32_t>& out, stream<uint8_t>& flags, int width, bool first_row) const {
+    const MaximaEdges at = {x == 0, x + 1 == width, first_row};
+    out.write(stored_pair<Pair>(mid.here));
+    flags.write(maxima_flags(left, mid, right, at));
+  }
+  void next(const MaximaColumn& column, int width) {
+    left = mid;
+    mid = right;
+    right = column;
+    x = x + 1 == width ? 0 : x + 1;
+  }
+};
+
 // A loop for the first row, which gives nothing out, one for all others and one behind the last: without
-// cases Bambu needs half the time.
+// cases Bambu needs half the time. From the second row on rows run on into each other, two pixels behind what
+// is read: all that a turn writes is there when it begins, so that it need not wait for what it reads.
 template <class Config, int Pair>
 void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& flags, uint16_t width,
                   uint16_t height) {
   using Rows = MaximaRows<Config, Pair>;
+  constexpr int behind = 2;
   const int w = geometry::base_side(width);
   const int h = geometry::base_side(height);
-  const MaximaColumn outside = {0, 0, 0};
 #pragma nounroll
   for (int x = 0; x < w; ++x) {
     SAILMAP_PIPELINE
-    Rows::older[x] = 0;
-    Rows::newer[x] = raised(in.read());
+    Rows::newer[x] = masked(in.read());
   }
+  MaximaWindow<Config, Pair> window = MaximaWindow<Config, Pair>();
+  window.x = w - behind;
+  int x = 0;
 #pragma nounroll
-  for (int y = 1; y < h; ++y) {
-    MaximaColumn left = outside;
-    MaximaColumn mid = next_row<Config, Pair>(0, raised(in.read()));
+  for (; x < behind; ++x) window.next(next_row<Config, Pair>(x, masked(in.read())), w);
+  const int pixels = w * (h - 1);
 #pragma nounroll
-    for (int x = 1; x < w; ++x) {
-      SAILMAP_PIPELINE
-      const MaximaColumn right = next_row<Config, Pair>(x, raised(in.read()));
-      out.write(stored_pair<Pair>(lowered(mid.here)));
-      flags.write(maxima_flags(left, mid, right));
-      left = mid;
-      mid = right;
-    }
-    out.write(stored_pair<Pair>(lowered(mid.here)));
-    flags.write(maxima_flags(left, mid, outside));
-  }
-  MaximaColumn left = outside;
-  MaximaColumn mid = next_row<Config, Pair>(0, 0);
-#pragma nounroll
-  for (int x = 1; x <= w; ++x) {
+  for (int i = behind; i < pixels; ++i) {
     SAILMAP_PIPELINE
-    const MaximaColumn right = x < w ? next_row<Config, Pair>(x, 0) : outside;
-    out.write(stored_pair<Pair>(lowered(mid.here)));
-    flags.write(maxima_flags(left, mid, right));
-    left = mid;
-    mid = right;
+    window.write(out, flags, w, i < w + behind);
+    window.next(next_row<Config, Pair>(x, masked(in.read())), w);
+    x = x + 1 == w ? 0 : x + 1;
+  }
+  const MaximaColumn outside = {0, 0, 0};
+#pragma nounroll
+  for (x = 0; x < w + behind; ++x) {
+    SAILMAP_PIPELINE
+    window.write(out, flags, w, false);
+    window.next(x < w ? next_row<Config, Pair>(x, 0) : outside, w);
   }
 }
 

@@ -28,3 +28,11 @@
 #else
 #define SAILMAP_SHARED inline
 #endif
+
+// On a function that is used once and too long for Bambu's front end to inline it by itself: what it returns
+// would be in a memory.
+#ifdef __BAMBU__
+#define SAILMAP_INLINED inline __attribute__((always_inline))
+#else
+#define SAILMAP_INLINED inline
+#endif

@@ -45,11 +45,12 @@ constexpr long delay_line(int w, int h) {
                 level_side(h, Level) + BranchDelay<Level>::rows);
 }
 constexpr long centre_surround(int w, int h, int level) {
-  return cycles(level_side(w, level) + geometry::surround_radius_large,
+  return cycles(geometry::surround_radius_large + level_side(w, level) + surround_lag_columns,
                 level_side(h, level) + geometry::surround_radius_large);
 }
 constexpr long orientation_energy(int w, int h, int level) {
-  return cycles(level_side(w, level) + geometry::gabor_radius, level_side(h, level) + geometry::gabor_radius);
+  return cycles(geometry::gabor_radius + level_side(w, level) + gabor_lag_columns,
+                level_side(h, level) + geometry::gabor_radius);
 }
 constexpr long across_scales(int w, int h, int level) {
   return cycles(2 * (level_side(w, level + 1) + 1), level_side(h, level)) + level_side(w, level + 1);
