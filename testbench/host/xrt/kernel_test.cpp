@@ -87,7 +87,8 @@ TEST(SimulationText, IsRead) {
   const Simulation hanging = simulation_from_text("96x72x4 hang 3");
   EXPECT_EQ(hanging.fault, Fault::hang);
   EXPECT_EQ(hanging.good_frames, 3);
-  for (const char* text : {"", "640", "640x480", "640x480x4 burn", "axbxc"}) {
+  EXPECT_EQ(simulation_from_text("96x72x4 gather 2").gather, 2);
+  for (const char* text : {"", "640", "640x480x4 gather", "640x480", "640x480x4 burn", "axbxc"}) {
     EXPECT_THROW(simulation_from_text(text), Error) << text;
   }
 }

@@ -145,13 +145,20 @@ Simulation simulation_from_text(const std::string& text) {
   std::string fault;
   words >> simulation.limits.max_width >> x >> simulation.limits.max_height >> y >> simulation.limits.beat;
   const bool good = words && x == 'x' && y == 'x';
-  if (words >> fault && !(words >> simulation.good_frames)) simulation.good_frames = 0;
+  int count = 0;
+  if (words >> fault && !(words >> count)) count = 0;
+  if (good && fault == "gather" && count > 0) {
+    simulation.gather = count;
+    return simulation;
+  }
   const auto* const found =
       std::ranges::find_if(fault_names, [&](const auto& entry) { return fault == entry.first; });
   if (!good || (!fault.empty() && found == fault_names.end())) {
-    throw Error("no simulated device '" + text + "': WIDTHxHEIGHTxBEAT [FAULT [GOOD-FRAMES]]");
+    throw Error("no simulated device '" + text +
+                "': WIDTHxHEIGHTxBEAT [FAULT [GOOD-FRAMES] | gather FRAMES]");
   }
   if (!fault.empty()) simulation.fault = found->second;
+  simulation.good_frames = count;
   return simulation;
 }
 

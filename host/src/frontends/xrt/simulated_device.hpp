@@ -40,7 +40,8 @@ struct Simulation {
 };
 
 // "640x480x4": largest frame and pixels a beat; "640x480x4 hang 3": a fault as well, by the name above with a
-// hyphen for each underscore, after so many good frames (none: 0). Throws Error when it is no such text.
+// hyphen for each underscore, after so many good frames (none: 0); "640x480x4 gather 2": Simulation::gather.
+// Throws Error when it is no such text.
 Simulation simulation_from_text(const std::string& text);
 
 // Throws DeviceError, as open_native_device, for the faults that show here.
