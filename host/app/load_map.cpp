@@ -5,9 +5,9 @@
 namespace sailmap::app {
 
 StoredMap load_map(const std::filesystem::path& path) {
-  const auto store = open_map_store(path);
-  if (!store->exists()) throw Error(path.string() + ": no such file");
-  return store->load();
+  const MapStore store(path);
+  if (!store.exists()) throw Error(path.string() + ": no such file");
+  return store.load();
 }
 
 }  // namespace sailmap::app

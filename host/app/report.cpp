@@ -38,10 +38,10 @@ bool is_evaluation(const std::string& path) {
 }
 
 void report_map(Options& options) {
-  const auto store = open_map_store(options.input);
-  if (!store->exists()) throw Error(options.input + ": no such file, or an empty one");
-  const StoredMap stored = store->load();
-  options.report.store = store.get();
+  const MapStore store(options.input);
+  if (!store.exists()) throw Error(options.input + ": no such file, or an empty one");
+  const StoredMap stored = store.load();
+  options.report.store = &store;
   const int images = stored.map.images();
   if (!options.poses.empty()) options.report.positions = read_poses(options.poses);
   if (!options.ground_truth.empty()) {

@@ -60,9 +60,9 @@ struct Folder {
 
 void save(benchmark::State& state, Content content) {
   const Folder folder;
-  const auto store = open_map_store(folder.path / "map.sailmap");
+  const MapStore store(folder.path / "map.sailmap");
   const TopologicalMap map = way(static_cast<int>(state.range(0)), content);
-  for ([[maybe_unused]] auto _ : state) store->save(map, "fixed");
+  for ([[maybe_unused]] auto _ : state) store.save(map, "fixed");
   state.counters["bytes_per_node"] =
       static_cast<double>(std::filesystem::file_size(folder.path / "map.sailmap")) /
       static_cast<double>(state.range(0));
@@ -70,9 +70,9 @@ void save(benchmark::State& state, Content content) {
 
 void load(benchmark::State& state, Content content) {
   const Folder folder;
-  const auto store = open_map_store(folder.path / "map.sailmap");
-  store->save(way(static_cast<int>(state.range(0)), content), "fixed");
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(store->load());
+  const MapStore store(folder.path / "map.sailmap");
+  store.save(way(static_cast<int>(state.range(0)), content), "fixed");
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(store.load());
 }
 
 }  // namespace

@@ -83,9 +83,9 @@ std::string content_of(const std::filesystem::path& path) {
 }
 
 StoredMap saved_and_loaded(const std::filesystem::path& path, const StoredMap& stored) {
-  const auto store = open_map_store(path);
-  store->save(stored.map, stored.frontend);
-  return store->load();
+  const MapStore store(path);
+  store.save(stored.map, stored.frontend);
+  return store.load();
 }
 
 // What checking says of a file agrees with whether it can be loaded; what is recovered of it is sound.
@@ -124,7 +124,7 @@ void continue_map(const std::filesystem::path& path, TopologicalMap& map) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static fuzz::ForeignFile file(".map");
   const std::filesystem::path& path = file.hold(data, size);
-  auto stored = fuzz::read_foreign(path, [&] { return open_map_store(path)->load(); });
+  auto stored = fuzz::read_foreign(path, [&] { return MapStore(path).load(); });
   check_and_recover(path, stored.has_value());
   if (!stored) return 0;
   check(stored->map);

@@ -65,8 +65,6 @@ class MapStore {
   std::filesystem::path path_;
 };
 
-std::unique_ptr<MapStore> open_map_store(const std::filesystem::path& path);
-
 // Adds images to the file of a map: the only one that may, as long as it lives. What was committed stays,
 // whatever becomes of program and machine.
 class MapWriter {

@@ -103,8 +103,4 @@ void MapStore::for_each_image(const std::function<void(StoredImage)>& use) const
   });
 }
 
-std::unique_ptr<MapStore> open_map_store(const std::filesystem::path& path) {
-  return std::make_unique<MapStore>(path);
-}
-
 }  // namespace sailmap

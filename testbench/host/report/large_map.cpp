@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    sailmap::open_map_store(argv[1])->save(make_map(std::atoi(argv[2])), "fixed");
+    sailmap::MapStore(argv[1]).save(make_map(std::atoi(argv[2])), "fixed");
   } catch (const std::exception& fault) {
     std::cerr << fault.what() << '\n';
     return 1;

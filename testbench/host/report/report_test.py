@@ -46,14 +46,13 @@ class ReportPage(ReportCase):
         pair = data["pairs"][0]
         image = data["loops"]["image"][pair["loop"]]
         self.run_program("detect", f"images/{image}.png", "--out", "seen")
-        regions = self.json("seen/regions.json")["regions"] if (self.folder / "seen/regions.json").exists() else None
+        regions = self.json("seen/regions.json")["regions"]
         boxes = np.array(pair["regions"]).reshape(-1, 4)
         self.assertGreater(len(pair["matches"]), 0)
-        if regions is not None:
-            self.assertEqual(len(boxes), len(regions))
-            for box, region in zip(boxes, regions):
-                self.assertTrue(box[0] <= region["x"] <= box[0] + box[2])
-                self.assertTrue(box[1] <= region["y"] <= box[1] + box[3])
+        self.assertEqual(len(boxes), len(regions))
+        for box, region in zip(boxes, regions):
+            self.assertTrue(box[0] <= region["x"] <= box[0] + box[2])
+            self.assertTrue(box[1] <= region["y"] <= box[1] + box[3])
 
     def test_precision_and_recall_against_ground_truth_by_hand(self):
         self.run_laps()
