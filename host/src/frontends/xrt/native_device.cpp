@@ -21,8 +21,12 @@ bool has_xrt() { return true; }
 namespace fpga {
 namespace {
 
-// XRT's smallest buffer: a page.
-constexpr std::size_t smallest_buffer = 4096;
+// Whole pages, one at least: XRT asks aligned_alloc for the host's side, which is for multiples of the
+// alignment.
+constexpr std::size_t page = 4096;
+constexpr std::size_t in_pages(std::size_t bytes) {
+  return std::max<std::size_t>(1, (bytes + page - 1) / page) * page;
+}
 
 // Runs `work`; what XRT throws becomes a DeviceError that says what was being done.
 template <class Work>
@@ -68,7 +72,7 @@ class NativeSlot : public Slot {
       : run_(kernel) {
     for (std::size_t i = 0; i < buffer_count; ++i) {
       const auto argument = static_cast<int>(i);
-      buffers_[i] = ::xrt::bo(device, std::max(sizes[i], smallest_buffer), kernel.group_id(argument));
+      buffers_[i] = ::xrt::bo(device, in_pages(sizes[i]), kernel.group_id(argument));
       mapped_[i] = {buffers_[i].map<std::byte*>(), buffers_[i].size()};
       run_.set_arg(argument, buffers_[i]);
     }
