@@ -103,7 +103,7 @@ class Tune(ProgramCase):
         self.run_program("run", "s/images", "--map", "m.map", "--exclude-recent", "5", "--thumbnails", "40")
         self.run_program("run", "s/images", "--map", "m.map")
         before = self.tables("m.map")
-        self.assertEqual((len(before["session"]), len(before["thumbnail"]), len(before["image"])), (2, 120, 120))
+        self.assertEqual((len(before["session"]), len(before["thumbnail"]), len(before["image"])), (2, 60, 120))
         tuned = self.tune("--evaluation", "e.json", "--precision", "0.9", "--map", "m.map")
         after = self.tables("m.map")
         (row,), (tuned_row,) = before.pop("map"), after.pop("map")
