@@ -7,7 +7,7 @@
 #include <string>
 
 #include "commands.hpp"
-#include "run_report.hpp"
+#include "json_output.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/map_maintenance.hpp"
 
@@ -25,11 +25,11 @@ struct Options {
 void check(const Options& options) {
   const MapCheck result = check_map(options.file);
   if (options.json) {
-    fmt::print("{}\n", dump({{"map", options.file},
-                             {"sound", result.faults.empty()},
-                             {"images", result.images},
-                             {"nodes", result.nodes},
-                             {"faults", result.faults}}));
+    print_json({{"map", options.file},
+                {"sound", result.faults.empty()},
+                {"images", result.images},
+                {"nodes", result.nodes},
+                {"faults", result.faults}});
   } else if (result.faults.empty()) {
     fmt::print("{}: sound, {} images, {} nodes\n", options.file, result.images, result.nodes);
   } else {
@@ -44,10 +44,10 @@ void check(const Options& options) {
 void recover(const Options& options) {
   const MapRecovery result = recover_map(options.file, options.out);
   if (options.json) {
-    fmt::print("{}\n", dump({{"map", options.out},
-                             {"images", result.images},
-                             {"nodes", result.nodes},
-                             {"lost_rows", result.lost_rows}}));
+    print_json({{"map", options.out},
+                {"images", result.images},
+                {"nodes", result.nodes},
+                {"lost_rows", result.lost_rows}});
   } else {
     fmt::print("{}: {} images and {} nodes recovered, {} rows lost\n", options.out, result.images,
                result.nodes, result.lost_rows);
@@ -57,10 +57,10 @@ void recover(const Options& options) {
 void merge(const Options& options) {
   const MapMerge result = merge_maps(options.file, options.other, options.out);
   if (options.json) {
-    fmt::print("{}\n", dump({{"map", options.out},
-                             {"images_added", result.images},
-                             {"left_out", result.left_out},
-                             {"loops_across", result.loops_across}}));
+    print_json({{"map", options.out},
+                {"images_added", result.images},
+                {"left_out", result.left_out},
+                {"loops_across", result.loops_across}});
   } else {
     fmt::print("{}: {} images added to those of {}, {} of them at its nodes; {} without signature left out\n",
                options.out, result.images, options.file, result.loops_across, result.left_out);
@@ -71,10 +71,8 @@ void prune(const Options& options) {
   const std::string& out = options.out.empty() ? options.file : options.out;
   const MapPruning result = prune_map(options.file, out, options.prune);
   if (options.json) {
-    fmt::print(
-        "{}\n",
-        dump(
-            {{"map", out}, {"nodes", result.nodes}, {"joined", result.joined}, {"dropped", result.dropped}}));
+    print_json(
+        {{"map", out}, {"nodes", result.nodes}, {"joined", result.joined}, {"dropped", result.dropped}});
   } else {
     fmt::print("{}: {} nodes; {} joined with the one before, {} dropped\n", out, result.nodes, result.joined,
                result.dropped);
@@ -85,7 +83,7 @@ CLI::App* add(CLI::App& map, const char* name, const char* description,
               const std::shared_ptr<Options>& options, void (*work)(const Options&)) {
   CLI::App* command = map.add_subcommand(name, description);
   command->add_option("FILE", options->file, "The map")->required();
-  command->add_flag("--json", options->json, "As one line of JSON");
+  add_json_flag(*command, options->json);
   command->callback([options, work] { work(*options); });
   return command;
 }

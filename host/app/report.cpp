@@ -9,6 +9,7 @@
 
 #include "commands.hpp"
 #include "io/file_reading.hpp"
+#include "json_output.hpp"
 #include "sailmap/error.hpp"
 #include "sailmap/map_store.hpp"
 
@@ -24,6 +25,7 @@ struct Options {
   double radius = 0;
   fs::path poses;
   double budget = 8;  // MB
+  bool json = false;
   ReportOptions report;
 };
 
@@ -70,7 +72,9 @@ void report(Options& options) {
   } else {
     report_map(options);
   }
-  fmt::print("{}: {:.1f} MB\n", options.out.string(), static_cast<double>(fs::file_size(options.out)) / 1e6);
+  const auto bytes = fs::file_size(options.out);
+  if (options.json) return print_json({{"out", options.out.string()}, {"bytes", bytes}});
+  fmt::print("{}: {:.1f} MB\n", options.out.string(), static_cast<double>(bytes) / 1e6);
 }
 
 void add_picture_options(CLI::App& command, Options& options) {
@@ -127,6 +131,7 @@ void add_report(CLI::App& app) {
       ->type_name("FILE")
       ->group(group);
   add_picture_options(*command, *options);
+  add_json_flag(*command, options->json);
   command->callback([options] { report(*options); });
 }
 

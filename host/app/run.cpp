@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "json_output.hpp"
 #include "live_view.hpp"
 #include "map/config_json.hpp"
 #include "options.hpp"
@@ -167,11 +168,11 @@ void localise(const Options& options, const OptionKeys& given) {
   run_source(*source, run, counts);
   if (counts.images == 0) throw Error(options.source + ": no image could be read");
   if (options.json) {
-    fmt::print("{}\n", dump({{"event", "summary"},
-                             {"images", counts.images},
-                             {"located", counts.loops},
-                             {"skipped", counts.skipped},
-                             {"map", options.map}}));
+    print_json({{"event", "summary"},
+                {"images", counts.images},
+                {"located", counts.loops},
+                {"skipped", counts.skipped},
+                {"map", options.map}});
   } else {
     fmt::print("{}: {} of {} images located\n", options.map, counts.loops, counts.images);
   }

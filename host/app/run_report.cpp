@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "json_output.hpp"
 #include "map/config_json.hpp"
 
 namespace sailmap::app {
@@ -30,17 +31,13 @@ std::string line_of(const TopologicalMap& map, int image, const std::string& nam
 
 }  // namespace
 
-std::string dump(const ordered_json& json) {
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-}
-
 void print_place(const TopologicalMap& map, int image, const std::string& name, const Detection& detection,
                  const char* event, const char* words, bool json) {
   if (json) {
     ordered_json out = {{"event", event}, {"image", image}, {"name", name}};
     if (detection.best.node >= 0) out["node_name"] = name_of(map, detection.best.node);
     out.update(to_json(detection));
-    fmt::print("{}\n", dump(out));
+    print_json(out);
   } else {
     fmt::print("{}\n", line_of(map, image, name, detection, words));
   }
@@ -51,16 +48,16 @@ void print_run_summary(const RunCounts& counts, const TopologicalMap& map, const
                        bool json) {
   const double rate = counts.seconds > 0 ? counts.images / counts.seconds : 0;
   if (json) {
-    fmt::print("{}\n", dump({{"event", "summary"},
-                             {"images", counts.images},
-                             {"loops", counts.loops},
-                             {"skipped", counts.skipped},
-                             {"images_per_second", rate},
-                             {"map", path},
-                             {"map_images", map.images()},
-                             {"nodes", map.nodes().size()},
-                             {"edges", map.edges().size()},
-                             {"map_loops", map.loops()}}));
+    print_json({{"event", "summary"},
+                {"images", counts.images},
+                {"loops", counts.loops},
+                {"skipped", counts.skipped},
+                {"images_per_second", rate},
+                {"map", path},
+                {"map_images", map.images()},
+                {"nodes", map.nodes().size()},
+                {"edges", map.edges().size()},
+                {"map_loops", map.loops()}});
     return;
   }
   fmt::print(

@@ -1,7 +1,6 @@
 // What `run` prints: lines for people or lines of JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "sailmap/topological_map.hpp"
@@ -14,9 +13,6 @@ struct RunCounts {
   int skipped = 0;
   double seconds = 0;
 };
-
-// One line, with what is no UTF-8 replaced.
-std::string dump(const nlohmann::ordered_json& json);
 
 // `image` is at the best node of `detection`; `event` and `words` name what that is: a loop closure, or where
 // a robot is that only looks.

@@ -8,7 +8,7 @@ from program_case import ProgramCase, scene
 
 LAPS = [0, 1, 2, 3, 4, 5, 0, 1, 2, 3, 4, 5]
 # They have no results but what they print or what their subcommands do.
-WITHOUT = {(), ("map",), ("fabmap",), ("report",), ("completion",)}
+WITHOUT = {(), ("map",), ("fabmap",), ("completion",)}
 
 
 class Json(ProgramCase):
@@ -86,6 +86,10 @@ class Json(ProgramCase):
             found = self.one("map", command, "m.map", "--out", out, "--json")
             self.assertEqual({key: found[key] for key in counts}, counts)
             self.assertEqual((found["out"], found["edges"]), (out, edges))
+
+    def test_report(self):
+        found = self.one("report", "m.map", "--out", "r.html", "--json")
+        self.assertEqual(found, {"out": "r.html", "bytes": (self.folder / "r.html").stat().st_size})
 
     def test_loops_tune_diff_manual(self):
         self.assertEqual(len(self.lines("loops", "m.map", "--json")), 6)
