@@ -72,7 +72,8 @@ class NativeSlot : public Slot {
       : run_(kernel) {
     for (std::size_t i = 0; i < buffer_count; ++i) {
       const auto argument = static_cast<int>(i);
-      buffers_[i] = ::xrt::bo(device, in_pages(sizes[i]), kernel.group_id(argument));
+      buffers_[i] =
+          ::xrt::bo(device, in_pages(sizes[i]), static_cast<::xrt::memory_group>(kernel.group_id(argument)));
       mapped_[i] = {buffers_[i].map<std::byte*>(), buffers_[i].size()};
       run_.set_arg(argument, buffers_[i]);
     }

@@ -23,8 +23,9 @@ void bury(std::unique_ptr<Device> device, std::vector<std::unique_ptr<Slot>> slo
 
 // As the kernel reads them.
 void pack(const ImageView& image, std::span<std::byte> to) {
-  const cv::Mat from(image.height, image.width, CV_8UC3, const_cast<std::uint8_t*>(image.data),
-                     static_cast<std::size_t>(image.stride));
+  // A cv::Mat has no pixels that cannot be written.
+  auto* const data = const_cast<std::uint8_t*>(image.data);  // NOLINT(cppcoreguidelines-pro-type-const-cast)
+  const cv::Mat from(image.height, image.width, CV_8UC3, data, static_cast<std::size_t>(image.stride));
   cv::Mat pixels(image.height, image.width, CV_8UC4, to.data());
   cv::cvtColor(from, pixels, image.order == ChannelOrder::rgb ? cv::COLOR_RGB2RGBA : cv::COLOR_BGR2RGBA);
 }

@@ -26,13 +26,13 @@ void check_xclbin(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   demand(!unreadable && file, "cannot be read");
   axlf head{};
-  file.read(reinterpret_cast<char*>(&head), header_bytes);
+  file.read(static_cast<char*>(static_cast<void*>(&head)), header_bytes);
   demand(std::strncmp(head.m_magic, "xclbin2", sizeof head.m_magic) == 0, "is no xclbin");
   const std::uintmax_t sections = head.m_header.m_numSections;
   demand(file && head.m_header.m_length == bytes && sections <= bytes / sizeof(axlf_section_header),
          "the xclbin is cut off");
   std::vector<axlf_section_header> headers(sections);
-  file.read(reinterpret_cast<char*>(headers.data()),
+  file.read(static_cast<char*>(static_cast<void*>(headers.data())),
             static_cast<std::streamsize>(sections * sizeof(axlf_section_header)));
   demand(file.good(), "the xclbin is cut off");
   for (const axlf_section_header& section : headers) {
