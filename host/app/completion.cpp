@@ -162,7 +162,7 @@ void add_completion(CLI::App& app) {
   const auto shell = std::make_shared<std::string>();
   one_of(command->add_option("SHELL", *shell, "Which shell: `source <(sailmap completion bash)`"), {"bash"})
       ->required();
-  command->callback([&app] { fmt::print("{}", bash_completion(command_tree(app))); });
+  command->callback([&app, shell] { fmt::print("{}", bash_completion(command_tree(app))); });
 }
 
 }  // namespace sailmap::app

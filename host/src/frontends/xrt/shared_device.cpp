@@ -14,6 +14,10 @@ namespace {
 // Where slots go that the kernel may still write to: freed, their memory would be someone else's. Never
 // destroyed, nor is the device that they belong to.
 void bury(std::unique_ptr<Device> device, std::vector<std::unique_ptr<Slot>> slots) {
+  if (device->closes_after_fault()) {
+    device.reset();  // before the slots that it works on
+    return;
+  }
   static std::mutex mutex;
   static auto& buried =
       *new std::vector<std::pair<std::unique_ptr<Device>, std::vector<std::unique_ptr<Slot>>>>;

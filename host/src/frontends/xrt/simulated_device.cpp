@@ -56,6 +56,8 @@ class SimulatedDevice : public Device {
     return std::make_unique<SimulatedSlot>(*this, sizes);
   }
 
+  [[nodiscard]] bool closes_after_fault() const override { return true; }
+
   void start(SimulatedSlot& slot, const Call& call) {
     const std::lock_guard lock(mutex_);
     if (lost_) throw DeviceError("the device is lost");
