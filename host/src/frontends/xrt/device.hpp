@@ -109,6 +109,8 @@ class Device {
   [[nodiscard]] virtual std::string name() const = 0;
   // With buffers of at least those sizes. Throws DeviceError when the device has no room for them.
   [[nodiscard]] virtual std::unique_ptr<Slot> make_slot(const BufferSizes& sizes) = 0;
+  // After a fault: returns when this process itself does no more work for the device.
+  virtual void quiesce() {}
   // Whether closing it ends, and ends its work on slots, after a fault too.
   [[nodiscard]] virtual bool closes_after_fault() const { return false; }
 };

@@ -178,9 +178,11 @@ void SharedDevice::compute(const ImageView& image, Maps& maps) {
     unpack(packed_maps(*slot, call), image.width, image.height, maps);
   } catch (const DeviceError& fault) {
     fail(fault.what(), std::move(slot));
+    device_->quiesce();
     throw DeviceError(device_->name() + ": " + fault.what());
   } catch (...) {
     fail("an earlier frame failed", std::move(slot));
+    device_->quiesce();
     throw;
   }
   release(std::move(slot));

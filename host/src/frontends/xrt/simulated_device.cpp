@@ -57,6 +57,11 @@ class SimulatedDevice : public Device {
   }
 
   [[nodiscard]] bool closes_after_fault() const override { return true; }
+  // A simulation that went on would outlive what it works with when the program ends.
+  void quiesce() override {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !working_ && !ready(); });
+  }
 
   void start(SimulatedSlot& slot, const Call& call) {
     const std::lock_guard lock(mutex_);
@@ -83,15 +88,21 @@ class SimulatedDevice : public Device {
   }
 
  private:
+  // Whether the frame in front asks for the report alone.
+  [[nodiscard]] bool asks() const { return started_.front()->call_.width == 0; }
+  // Whether there is a frame to work on.
+  [[nodiscard]] bool ready() const {
+    return !started_.empty() &&
+           (gathered_ || asks() || static_cast<int>(started_.size()) >= simulation_.gather);
+  }
+
   // The next frame to work on; null when the device is closed.
   SimulatedSlot* next(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    const auto asks = [&] { return started_.front()->call_.width == 0; };
-    const auto ready = [&] {
-      return !started_.empty() &&
-             (gathered_ || asks() || static_cast<int>(started_.size()) >= simulation_.gather);
-    };
-    if (!changed_.wait(lock, stop, ready)) return nullptr;
+    working_ = false;
+    changed_.notify_all();
+    if (!changed_.wait(lock, stop, [this] { return ready(); })) return nullptr;
+    working_ = true;
     if (!gathered_ && !asks()) {
       gathered_ = true;
       std::ranges::reverse(started_);
@@ -130,6 +141,7 @@ class SimulatedDevice : public Device {
   int in_flight_ = 0;
   int frames_ = 0;
   bool gathered_ = false;
+  bool working_ = false;
   bool lost_ = false;
   std::jthread card_;  // last: it uses the others
 };
