@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "needs.hpp"
 #include "planes.hpp"
 #include "sailmap/ref/model.hpp"
 #include "sailmap_data.hpp"
@@ -31,7 +32,7 @@ constexpr std::array conspicuity_names = {"conspicuity_intensity", "conspicuity_
 class IndependentModelTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!testing::has_independent_model()) GTEST_SKIP() << "no Python with numpy, scipy and cv2";
+    SAILMAP_NEEDS_TOOL(testing::has_independent_model(), "Python with numpy, scipy and cv2");
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     folder_ = fs::temp_directory_path() / (std::string("sailmap_") + test->name() + std::to_string(getpid()));
     fs::create_directories(folder_);

@@ -12,9 +12,10 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SCRIPTS = ROOT / "scripts" / "vitis"
-sys.path.insert(0, str(SCRIPTS))
+sys.path[:0] = [str(SCRIPTS), str(ROOT / "testbench")]
 
 import tables  # noqa: E402
+from needs import skip_without  # noqa: E402
 
 MEMORIES = ["pixels", "intensity_maps", "colour_maps", "orientation_maps", "conspicuity_maps", "saliency", "statistics",
             "report"]
@@ -79,7 +80,7 @@ class Document(unittest.TestCase):
         registers.pop("registers_end")
         self.assertEqual(found, registers)
 
-    @unittest.skipUnless(shutil.which("gcc"), "no gcc to compile the example with")
+    @skip_without(shutil.which("gcc"), "gcc")
     def test_the_bare_metal_example_compiles(self):
         example = re.search(r"```c\n(.*?)```", self.text, re.DOTALL)[1]
         with tempfile.TemporaryDirectory() as folder:

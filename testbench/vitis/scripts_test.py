@@ -11,9 +11,10 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 SCRIPTS = ROOT / "scripts" / "vitis"
-sys.path.insert(0, str(SCRIPTS))
+sys.path[:0] = [str(SCRIPTS), str(ROOT / "testbench")]
 
 import tables  # noqa: E402
+from needs import skip_without  # noqa: E402
 
 # Keys of UG1399, "HLS Config File Commands", from 2023.2 to 2026.1.
 MANUAL_KEYS = {"part", "clock", "syn.top", "syn.file", "syn.file_cflags", "tb.file", "tb.file_cflags", "csim.argv",
@@ -129,7 +130,7 @@ class Generated(WithFolder):
             for macro in ("MAX_WIDTH=1920", "MAX_HEIGHT=1080", "BEAT=8", "DOUBLE_BUFFER=true"):
                 self.assertEqual(text.count(f"-DSAILMAP_{macro}"), 2, name)
 
-    @unittest.skipUnless(shutil.which("tclsh"), "no tclsh to run the Tcl with")
+    @skip_without(shutil.which("tclsh"), "tclsh")
     def test_tcl_gives_the_tool_these_commands(self):
         folder = self.generated("sailmap_front_end", "k26", 200)
         commands = ("open_project set_top add_files open_solution set_part create_clock csim_design csynth_design "

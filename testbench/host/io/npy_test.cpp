@@ -9,6 +9,7 @@
 #include <string>
 
 #include "error_matchers.hpp"
+#include "needs.hpp"
 #include "temporary_folder.hpp"
 
 namespace sailmap {
@@ -37,8 +38,7 @@ std::string as_numpy_reads(const std::filesystem::path& path) {
 class Npy : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (output_of(python + "print(1)' 2>/dev/null") != "1\n")
-      GTEST_SKIP() << "no /usr/bin/python3 with numpy";
+    SAILMAP_NEEDS_TOOL(output_of(python + "print(1)' 2>/dev/null") == "1\n", "/usr/bin/python3 with numpy");
   }
 
   TemporaryFolder folder_;

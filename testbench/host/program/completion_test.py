@@ -10,14 +10,13 @@ import time
 import unittest
 
 import command_help
-from program_case import SAILMAP, ProgramCase
+from program_case import SAILMAP, ProgramCase, skip_without
 
 
+@skip_without(shutil.which("bash"), "bash")
 class Completion(ProgramCase):
     def setUp(self):
         super().setUp()
-        if not shutil.which("bash"):
-            self.skipTest("no bash")
         (self.folder / "sailmap.bash").write_text(self.run_program("completion", "bash"))
 
     def complete_all(self, lines):

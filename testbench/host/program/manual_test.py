@@ -6,14 +6,13 @@ import subprocess
 import unittest
 
 import command_help
-from program_case import ProgramCase
+from program_case import ProgramCase, skip_without
 
 
+@skip_without(shutil.which("groff"), "groff (groff-base)")
 class Manual(ProgramCase):
     def setUp(self):
         super().setUp()
-        if not shutil.which("groff"):
-            self.skipTest("no groff (groff-base)")
         self.run_program("manual", "--out", "man")
 
     def page(self, name):
@@ -65,9 +64,8 @@ class Manual(ProgramCase):
         self.assertIn("sailmap-run - build or extend a map", self.flat(page))
         self.assertIn("Default: paper_weighted.", self.flat(page))
 
+    @skip_without(shutil.which("mandoc"), "mandoc")
     def test_lint(self):
-        if not shutil.which("mandoc"):
-            self.skipTest("no mandoc")
         for page in sorted((self.folder / "man").iterdir()):
             done = subprocess.run(["mandoc", "-Tlint", "-Wwarning", page], capture_output=True, text=True)
             faults = [line for line in done.stdout.splitlines() if "missing date" not in line and "outdated mandoc.db" not in line]

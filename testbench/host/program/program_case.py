@@ -4,11 +4,15 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import unittest
 
 import cv2
 import numpy as np
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2]))
+from needs import skip_without  # noqa: E402,F401
 
 SAILMAP = os.environ["SAILMAP_PROGRAM"]
 DATA = pathlib.Path(os.environ.get("SAILMAP_DATA") or os.environ["SAILMAP_DEFAULT_DATA"])

@@ -6,10 +6,9 @@ import os
 import pathlib
 import shutil
 import sys
-import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
-from program_case import ProgramCase, scene  # noqa: E402,F401
+from program_case import ProgramCase, scene, skip_without  # noqa: E402,F401
 
 CHROMIUM = shutil.which("chromium")
 DRIVER = shutil.which("chromedriver")
@@ -32,7 +31,7 @@ def no_browser():
     return webdriver is None or CHROMIUM is None or DRIVER is None
 
 
-needs_browser = unittest.skipIf(no_browser(), "no chromium, chromedriver or python3-selenium")
+needs_browser = skip_without(not no_browser(), "chromium, chromedriver or python3-selenium")
 
 
 class ReportCase(ProgramCase):
