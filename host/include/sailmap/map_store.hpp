@@ -33,6 +33,13 @@ struct StoredImage {
   std::optional<double> time;
   // Of every image that was added one by one, of others where the image stands for a node.
   std::optional<Signature> signature;
+  std::vector<unsigned char> thumbnail;  // a JPEG; empty: none
+};
+
+// What a map was made with.
+struct Making {
+  MapConfig config;
+  std::string frontend;
 };
 
 // One run over one source.
@@ -53,6 +60,8 @@ class MapStore {
 
   [[nodiscard]] bool exists() const;  // an empty file does not count
   [[nodiscard]] StoredMap load() const;
+  // Without reading the rest.
+  [[nodiscard]] Making made_with() const;
   // Replaces the file whole or not at all; refused while another program writes to it.
   void save(const TopologicalMap& map, const std::string& frontend) const;
   // Of one image; empty when there is none.

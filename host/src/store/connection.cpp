@@ -1,17 +1,10 @@
 #include "connection.hpp"
 
-#include <fcntl.h>
 #include <sqlite3.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 namespace sailmap::store {
 namespace {
@@ -83,6 +76,12 @@ bool is_there(const std::filesystem::path& path) {
 }
 
 bool is_json(const std::filesystem::path& path) {
+  try {
+    SQLite::Database(path.string(), SQLite::OPEN_READONLY).execAndGet("PRAGMA schema_version");
+    return false;
+  } catch (const SQLite::Exception& fault) {
+    if (fault.getErrorCode() != SQLITE_NOTADB) return false;
+  }
   std::ifstream in(path, std::ios::binary);
   char first = 0;
   return static_cast<bool>(in >> first) && first == '{';
@@ -120,44 +119,6 @@ void begin_writing(SQLite::Database& database) {
 void leave_one_file(SQLite::Database& database) {
   database.setBusyTimeout(0);
   database.tryExec("PRAGMA journal_mode = DELETE");
-}
-
-WriteLock::WriteLock(std::filesystem::path path) : path_(std::move(path)) { acquire(); }
-
-WriteLock::~WriteLock() {
-  struct stat held {};
-  const bool empty = ::fstat(file_, &held) == 0 && S_ISREG(held.st_mode) && held.st_size == 0;
-  std::error_code ignored;
-  if (empty && is_current()) std::filesystem::remove(path_, ignored);
-  ::close(file_);
-}
-
-void WriteLock::follow() {
-  ::close(file_);
-  acquire();
-}
-
-void WriteLock::acquire() {
-  do {
-    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0) throw Error(std::string("cannot be written: ") + std::strerror(errno));
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
-      const int fault = errno;
-      ::close(file_);
-      throw Error(fault == EWOULDBLOCK ? "another program is writing this map"
-                                       : std::string("cannot be locked: ") + std::strerror(fault));
-    }
-    // Renamed over or removed between the two calls: the lock is on a file that nobody finds any more.
-    if (is_current()) return;
-    ::close(file_);
-  } while (true);
-}
-
-bool WriteLock::is_current() const {
-  struct stat held {};
-  struct stat named {};
-  return ::fstat(file_, &held) == 0 && ::stat(path_.c_str(), &named) == 0 && held.st_dev == named.st_dev &&
-         held.st_ino == named.st_ino;
 }
 
 }  // namespace sailmap::store

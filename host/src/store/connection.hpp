@@ -31,7 +31,8 @@ auto with_file(const std::filesystem::path& path, const Work& work) {
   }
 }
 
-// Whether the file begins as a JSON document does: a map of version 1.
+// Whether the file is no database and begins as a JSON document does: a map of version 1. A database is
+// opened by SQLite alone: POSIX drops the locks of a process on a file when it closes any descriptor of it.
 bool is_json(const std::filesystem::path& path);
 
 // Whether there is a file with something in it.
@@ -50,30 +51,5 @@ void begin_writing(SQLite::Database& database);
 
 // Leaves one plain file, without a write-ahead log beside it, unless another program reads it just now.
 void leave_one_file(SQLite::Database& database);
-
-// The right to write a map file, for one program at a time; gone with the program however it ends. It must
-// outlive the connections of this process to the file, whose own locks closing it would drop.
-class WriteLock {
- public:
-  // Makes the file when there is none. Throws Error, without the name of the file, when another program has
-  // the lock or the file cannot be written.
-  explicit WriteLock(std::filesystem::path path);
-  WriteLock(const WriteLock&) = delete;
-  WriteLock& operator=(const WriteLock&) = delete;
-  WriteLock(WriteLock&&) = delete;
-  WriteLock& operator=(WriteLock&&) = delete;
-  // Removes a file that it made and nobody wrote to.
-  ~WriteLock();
-
-  // After a rename has put another file in its place.
-  void follow();
-
- private:
-  void acquire();
-  [[nodiscard]] bool is_current() const;
-
-  std::filesystem::path path_;
-  int file_ = -1;
-};
 
 }  // namespace sailmap::store

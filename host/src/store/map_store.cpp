@@ -1,14 +1,15 @@
 #include "sailmap/map_store.hpp"
 
+#include <system_error>
 #include <utility>
 
 #include "connection.hpp"
-#include "io/file_reading.hpp"
 #include "json_map.hpp"
 #include "read_map.hpp"
 #include "replace_file.hpp"
 #include "schema.hpp"
 #include "signature_bytes.hpp"
+#include "write_lock.hpp"
 #include "write_rows.hpp"
 
 namespace sailmap {
@@ -17,9 +18,12 @@ using namespace store;
 
 namespace {
 
+// SQLite would say of all of these that they cannot be opened.
 bool is_version_1(const std::filesystem::path& path) {
-  static_cast<void>(
-      io::open_for_reading(path));  // says what is wrong with a path that SQLite only cannot open
+  std::error_code unknown;
+  const auto type = std::filesystem::status(path, unknown).type();
+  if (type == std::filesystem::file_type::not_found) throw Error(path.string() + ": no such file");
+  if (type == std::filesystem::file_type::directory) throw Error(path.string() + ": a folder, not a file");
   return is_json(path);
 }
 
@@ -41,7 +45,7 @@ void for_each_view(const TopologicalMap& map, const std::function<void(StoredIma
     for (const View& view : node.views) signature_of[static_cast<std::size_t>(view.image)] = &view.signature;
   }
   for (const Update& update : map.history()) {
-    StoredImage image{update.image, update.name, {}, {}};
+    StoredImage image{update.image, update.name, {}, {}, {}};
     const Signature* signature = signature_of[static_cast<std::size_t>(update.image)];
     if (signature != nullptr) image.signature = *signature;
     use(std::move(image));
@@ -57,6 +61,17 @@ StoredMap MapStore::load() const {
   return reading(path_, [](SQLite::Database& database) { return read_map(database); });
 }
 
+Making MapStore::made_with() const {
+  if (is_version_1(path_)) {
+    const StoredMap stored = read_json_map(path_);
+    return {stored.map.config(), stored.frontend};
+  }
+  return reading(path_, [](SQLite::Database& database) {
+    const MapRow row = read_map_row(database);
+    return Making{config_of(row), row.frontend};
+  });
+}
+
 void MapStore::save(const TopologicalMap& map, const std::string& frontend) const {
   with_file(path_, [&] {
     const WriteLock lock(path_);
@@ -67,9 +82,8 @@ void MapStore::save(const TopologicalMap& map, const std::string& frontend) cons
 std::vector<unsigned char> MapStore::thumbnail(int image) const {
   if (is_version_1(path_)) return {};
   return reading(path_, [&](SQLite::Database& database) {
-    SQLite::Statement statement(database, select_statement<ThumbnailRow>("WHERE id = ?"));
-    statement.bind(1, image);
-    return statement.executeStep() ? read_row<ThumbnailRow>(statement).jpeg : Blob{};
+    auto row = RowFinder<ThumbnailRow>(database).find(image);
+    return row ? std::move(row->jpeg) : Blob{};
   });
 }
 
@@ -92,12 +106,12 @@ std::vector<Session> MapStore::sessions() const {
 void MapStore::for_each_image(const std::function<void(StoredImage)>& use) const {
   if (is_version_1(path_)) return for_each_view(load().map, use);
   reading(path_, [&](SQLite::Database& database) {
-    SQLite::Statement signature(database, select_statement<SignatureRow>("WHERE id = ?"));
+    RowFinder<SignatureRow> signatures(database);
+    RowFinder<ThumbnailRow> thumbnails(database);
     for_each_row<ImageRow>(database, [&](ImageRow row) {
-      signature.reset();
-      signature.bind(1, row.id);
-      StoredImage image{row.id, std::move(row.name), row.time, {}};
-      if (signature.executeStep()) image.signature = signature_from_row(read_row<SignatureRow>(signature));
+      StoredImage image{row.id, std::move(row.name), row.time, {}, {}};
+      if (const auto signature = signatures.find(row.id)) image.signature = signature_from_row(*signature);
+      if (auto thumbnail = thumbnails.find(row.id)) image.thumbnail = std::move(thumbnail->jpeg);
       use(std::move(image));
     });
   });

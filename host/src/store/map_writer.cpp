@@ -7,6 +7,7 @@
 #include "replace_file.hpp"
 #include "sailmap/map_store.hpp"
 #include "schema.hpp"
+#include "write_lock.hpp"
 #include "write_rows.hpp"
 
 namespace sailmap {

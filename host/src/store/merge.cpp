@@ -29,9 +29,9 @@ void list_differences(const ordered_json& a, const ordered_json& b, const std::s
   }
 }
 
-std::string differences(const StoredMap& a, const StoredMap& b) {
-  ordered_json of_a = to_json(a.map.config());
-  ordered_json of_b = to_json(b.map.config());
+std::string differences(const Making& a, const Making& b) {
+  ordered_json of_a = to_json(a.config);
+  ordered_json of_b = to_json(b.config);
   of_a["frontend"] = a.frontend;
   of_b["frontend"] = b.frontend;
   std::string out;
@@ -50,22 +50,24 @@ void copy_map(const std::filesystem::path& from, const std::filesystem::path& to
 
 class Merger {
  public:
-  Merger(const std::filesystem::path& to, int nodes_of_a) : writer_(to), nodes_of_a_(nodes_of_a) {
-    stored_ = writer_.load();
-  }
+  // `to` is a copy of the map that is added to.
+  explicit Merger(const std::filesystem::path& to)
+      : writer_(to),
+        stored_(writer_.load().value()),
+        nodes_of_a_(static_cast<int>(stored_.map.nodes().size())) {}
 
   void begin_session(const std::string& source) {
     writer_.commit();
-    stored_->map.begin_session();
-    writer_.begin_session(*stored_, source);
+    stored_.map.begin_session();
+    writer_.begin_session(stored_, source);
   }
-  void add(StoredImage image, std::vector<unsigned char> thumbnail) {
+  void add(StoredImage image) {
     if (!image.signature) {
       ++merge_.left_out;
       return;
     }
-    const Update& update = stored_->map.add(std::move(image.name), *image.signature);
-    writer_.append(stored_->map, *image.signature, {image.time, std::move(thumbnail)});
+    const Update& update = stored_.map.add(std::move(image.name), *image.signature);
+    writer_.append(stored_.map, *image.signature, {image.time, std::move(image.thumbnail)});
     ++merge_.images;
     if (update.detection.accepted() && update.node < nodes_of_a_) ++merge_.loops_across;
     if (merge_.images % 1000 == 0) writer_.commit();
@@ -77,21 +79,20 @@ class Merger {
 
  private:
   MapWriter writer_;
-  std::optional<StoredMap> stored_;
+  StoredMap stored_;
   int nodes_of_a_;
   MapMerge merge_;
 };
 
-MapMerge append_map(const MapStore& b, int nodes_of_a, const std::filesystem::path& to) {
+MapMerge append_map(const MapStore& b, const std::filesystem::path& to) {
   const std::vector<Session> sessions = b.sessions();
-  Merger merger(to, nodes_of_a);
+  Merger merger(to);
   std::size_t next = 0;
   b.for_each_image([&](StoredImage image) {
     if (next < sessions.size() && image.image == sessions[next].first_image) {
       merger.begin_session(sessions[next++].source);
     }
-    auto thumbnail = b.thumbnail(image.image);
-    merger.add(std::move(image), std::move(thumbnail));
+    merger.add(std::move(image));
   });
   return merger.finish();
 }
@@ -101,9 +102,8 @@ MapMerge append_map(const MapStore& b, int nodes_of_a, const std::filesystem::pa
 MapMerge merge_maps(const std::filesystem::path& a, const std::filesystem::path& b,
                     const std::filesystem::path& to) {
   if (is_there(to)) throw Error(to.string() + ": exists already");
-  const StoredMap of_a = MapStore(a).load();
-  const StoredMap of_b = MapStore(b).load();
-  if (const std::string differ = differences(of_a, of_b); !differ.empty()) {
+  if (const std::string differ = differences(MapStore(a).made_with(), MapStore(b).made_with());
+      !differ.empty()) {
     throw Error(a.string() + " and " + b.string() + ": made with different parameters: " + differ);
   }
   // Beside its place until it is whole.
@@ -111,7 +111,7 @@ MapMerge merge_maps(const std::filesystem::path& a, const std::filesystem::path&
   remove_with_log(part);
   try {
     copy_map(a, part);
-    const MapMerge merge = append_map(MapStore(b), static_cast<int>(of_a.map.nodes().size()), part);
+    const MapMerge merge = append_map(MapStore(b), part);
     std::error_code failed;
     std::filesystem::rename(part, to, failed);
     if (failed) throw Error(to.string() + ": cannot be written: " + failed.message());

@@ -9,6 +9,7 @@
 #include "sailmap/map_maintenance.hpp"
 #include "sailmap/map_store.hpp"
 #include "schema.hpp"
+#include "write_lock.hpp"
 #include "write_rows.hpp"
 
 namespace sailmap {

@@ -11,14 +11,6 @@
 namespace sailmap::store {
 namespace {
 
-MapConfig config_from_text(const std::string& text) {
-  try {
-    return map_config_from_json(nlohmann::ordered_json::parse(text));
-  } catch (const nlohmann::ordered_json::exception& fault) {
-    throw Error(std::string("the parameters are damaged: ") + fault.what());
-  }
-}
-
 // Rows are numbered without a gap.
 void demand_next(const char* table, int id, std::size_t count) {
   if (id < 0 || static_cast<std::size_t>(id) != count) {
@@ -79,10 +71,18 @@ Detection detection_from_row(const DetectionRow& row) {
           matches_from_bytes(row.matches)};
 }
 
+MapConfig config_of(const MapRow& row) {
+  try {
+    return map_config_from_json(nlohmann::ordered_json::parse(row.parameters));
+  } catch (const nlohmann::ordered_json::exception& fault) {
+    throw Error(std::string("the parameters are damaged: ") + fault.what());
+  }
+}
+
 MapRow read_map_row(SQLite::Database& database) {
-  SQLite::Statement statement(database, select_statement<MapRow>("WHERE id = 0"));
-  if (!statement.executeStep()) throw Error("damaged: its parameters are lost");
-  return read_row<MapRow>(statement);
+  auto row = RowFinder<MapRow>(database).find(0);
+  if (!row) throw Error("damaged: its parameters are lost");
+  return std::move(*row);
 }
 
 std::vector<SessionRow> read_sessions(SQLite::Database& database) {
@@ -106,8 +106,8 @@ StoredMap read_map(SQLite::Database& database) {
   std::vector<int> sessions;
   for (const SessionRow& session : read_sessions(database)) sessions.push_back(session.first_image);
   const int active = images.history.empty() ? -1 : images.history.back().node;
-  return {TopologicalMap(config_from_text(row.parameters), std::move(nodes), std::move(edges),
-                         std::move(images.history), active, std::move(sessions)),
+  return {TopologicalMap(config_of(row), std::move(nodes), std::move(edges), std::move(images.history),
+                         active, std::move(sessions)),
           row.frontend};
 }
 

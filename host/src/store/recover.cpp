@@ -15,6 +15,7 @@
 #include "row_io.hpp"
 #include "sailmap/map_maintenance.hpp"
 #include "schema.hpp"
+#include "write_lock.hpp"
 
 namespace sailmap {
 

@@ -5,6 +5,7 @@
 #include "sailmap/map_maintenance.hpp"
 #include "sailmap/map_store.hpp"
 #include "schema.hpp"
+#include "write_lock.hpp"
 #include "write_rows.hpp"
 
 namespace sailmap {
@@ -30,14 +31,15 @@ void set_threshold(const std::filesystem::path& path, double threshold) {
   if (is_json(path)) return set_in_json(path, threshold);
   with_file(path, [&] {
     const WriteLock lock(path);
-    const StoredMap before = MapStore(path).load();
-    MapConfig config = before.map.config();
-    config.detection.threshold = threshold;
     const Connection connection = connect_to_write(path);
     begin_writing(*connection);
     SQLite::Transaction transaction(*connection);
     check_schema(*connection);
-    RowWriter(*connection).put_map(config, before.frontend);
+    MapRow row = read_map_row(*connection);
+    MapConfig config = config_of(row);
+    config.detection.threshold = threshold;
+    row.parameters = to_json(config).dump();
+    RowWriter(*connection).put(row);
     transaction.commit();
     leave_one_file(*connection);
   });

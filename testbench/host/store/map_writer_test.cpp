@@ -2,11 +2,13 @@
 // readers beside it.
 #include <gmock/gmock.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "host/map_builders.hpp"
 #include "map/map_json.hpp"
 #include "sailmap/error.hpp"
+#include "sailmap/map_maintenance.hpp"
 #include "sailmap/map_store.hpp"
 #include "sql.hpp"
 #include "temporary_folder.hpp"
@@ -78,10 +80,41 @@ TEST_F(MapWriterTest, ASecondWriterIsRefusedUntilTheFirstIsGone) {
     const MapWriter first(path_);
     EXPECT_THAT(
         [&] { MapWriter second(path_); },
-        ::testing::ThrowsMessage<Error>(HasSubstr("map.sailmap: another program is writing this map")));
+        ::testing::ThrowsMessage<Error>(HasSubstr("map.sailmap: this program is writing this map already")));
     EXPECT_THROW(MapStore(path_).save(testing::map_of({0}), "fixed"), Error);
   }
   EXPECT_NO_THROW(MapWriter third(path_));
+}
+
+// What a program of its own says that tries to end the log, as the last connection to a file does.
+std::string end_log(const fs::path& path) {
+  const std::string command = "sqlite3 '" + path.string() + "' 'PRAGMA journal_mode = DELETE' 2>&1";
+  FILE* program = ::popen(command.c_str(), "r");
+  std::string said;
+  for (int c = std::fgetc(program); c != EOF; c = std::fgetc(program)) said += static_cast<char>(c);
+  ::pclose(program);
+  return said;
+}
+
+// POSIX drops a process's locks on a file when it closes any descriptor of it: neither a look at the map nor
+// a second writer may leave the first one's log to others.
+TEST_F(MapWriterTest, NothingInThisProcessTakesTheWritersLocksAway) {
+  MapWriter writer(path_);
+  StoredMap stored = new_map();
+  writer.begin_session(stored, "source");
+  add(writer, stored, {0, 1});
+  writer.commit();
+  EXPECT_THAT(end_log(path_), HasSubstr("locked"));
+  EXPECT_EQ(MapStore(path_).load().map.images(), 2);
+  EXPECT_TRUE(MapStore(path_).exists());
+  EXPECT_THAT(end_log(path_), HasSubstr("locked")) << "after reading";
+  EXPECT_THROW(MapWriter second(path_), Error);
+  EXPECT_THROW(MapStore(path_).save(testing::map_of({0}), "fixed"), Error);
+  EXPECT_THROW(set_threshold(path_, 3), Error);
+  EXPECT_THAT(end_log(path_), HasSubstr("locked")) << "after others tried to write";
+  add(writer, stored, {2});
+  writer.finish();
+  EXPECT_EQ(MapStore(path_).load().map.images(), 3);
 }
 
 TEST_F(MapWriterTest, ANewFileWithoutAnImageIsRemoved) {
