@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "evaluate/evaluation_json.hpp"
 #include "map/config_json.hpp"
 
 namespace sailmap::app {
@@ -43,23 +44,6 @@ ordered_json words_config(const Measurement& m, const fabmap::Vocabulary& vocabu
   return json;
 }
 
-ordered_json curve_of(const Evaluation& e) {
-  ordered_json curve = ordered_json::array();
-  for (const CurvePoint& point : e.curve) {
-    curve.push_back(
-        {{"threshold", point.threshold}, {"precision", point.precision}, {"recall", point.recall}});
-  }
-  return curve;
-}
-
-ordered_json recall_at_ranks(const Evaluation& e) {
-  ordered_json recall;
-  for (std::size_t k = 0; k < recall_ranks.size(); ++k) {
-    recall[std::to_string(recall_ranks[k])] = e.recall_at[k];
-  }
-  return recall;
-}
-
 }  // namespace
 
 Measurement measure(const DataSet& data, const GroundTruth& truth, const Views<Signature>& views,
@@ -89,7 +73,6 @@ std::string title_of(const Measurement& m) {
 }
 
 ordered_json to_json(const Measurement& m) {
-  const Evaluation& e = m.evaluation;
   ordered_json json;
   if (m.data.traverses()) {
     json = {{"query", m.data.query}, {"reference", m.data.reference}};
@@ -103,22 +86,8 @@ ordered_json to_json(const Measurement& m) {
        {"config", m.config},
        {"images", m.images},
        {"candidates", m.candidates},
-       {"images_per_second", m.images_per_second},
-       {"queries", e.queries},
-       {"queries_with_match", e.queries_with_match},
-       {"fixed_threshold",
-        {{"threshold", e.fixed.threshold},
-         {"detections", e.fixed.detections},
-         {"right", e.fixed.right},
-         {"precision", e.fixed.precision},
-         {"recall", e.fixed.recall}}},
-       {"average_precision", e.average_precision},
-       {"recall_at_100_precision", e.recall_at_100},
-       {"recall_at_95_precision", e.recall_at_95},
-       {"best_f1", e.best_f1},
-       {"best_f1_threshold", e.best_f1_threshold},
-       {"recall_at", recall_at_ranks(e)},
-       {"curve", curve_of(e)}});
+       {"images_per_second", m.images_per_second}});
+  json.update(to_json(m.evaluation));
   return json;
 }
 

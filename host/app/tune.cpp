@@ -88,32 +88,31 @@ void take_parameters(const StoredMap& stored, Options& options, const OptionKeys
 
 EvaluationFile evaluate_source(const Options& options) {
   GroundTruth truth;
-  return evaluation_from_json(to_json(measure(options, truth)));
+  return evaluation_file_from_json(to_json(measure(options, truth)));
 }
 
-ordered_json to_json(const ThresholdChoice& choice, const EvaluationFile& evaluation,
-                     const Options& options) {
+ordered_json to_json(const ThresholdChoice& choice, const EvaluationFile& file, const Options& options) {
   return {{"threshold", choice.threshold},
           {"precision", choice.precision},
           {"recall", choice.recall},
           {"wanted_precision", options.precision},
           {"detections", choice.detections},
           {"right", choice.right},
-          {"queries", evaluation.queries},
-          {"queries_with_match", evaluation.queries_with_match},
+          {"queries", file.evaluation.queries},
+          {"queries_with_match", file.evaluation.queries_with_match},
           {"precision_at_least", choice.precision_at_least},
           {"needed_detections", choice.needed},
           {"enough", choice.detections >= choice.needed},
-          {"frontend", evaluation.config.at("frontend")},
-          {"method", evaluation.method},
+          {"frontend", file.config.at("frontend")},
+          {"method", file.method},
           {"map", options.map.empty() ? ordered_json() : ordered_json(options.map)}};
 }
 
-void print(const ThresholdChoice& c, const EvaluationFile& evaluation, const Options& options) {
-  fmt::print("threshold   {} ({})\n", c.threshold, evaluation.method);
+void print(const ThresholdChoice& c, const EvaluationFile& file, const Options& options) {
+  fmt::print("threshold   {} ({})\n", c.threshold, file.method);
   fmt::print("precision   {:.4f}: {} of {} detections are right\n", c.precision, c.right, c.detections);
   fmt::print("recall      {:.4f}: of {} queries with a true match, among {}\n", c.recall,
-             evaluation.queries_with_match, evaluation.queries);
+             file.evaluation.queries_with_match, file.evaluation.queries);
   fmt::print(
       "confidence  the precision is at least {:.4f} with 95 % confidence, were the queries independent\n",
       c.precision_at_least);
@@ -124,14 +123,14 @@ void print(const ThresholdChoice& c, const EvaluationFile& evaluation, const Opt
 }
 
 void tune(const Options& options, const std::optional<StoredMap>& stored) {
-  const EvaluationFile evaluation =
+  const EvaluationFile file =
       options.evaluation.empty() ? evaluate_source(options) : read_evaluation(options.evaluation);
   if (stored && !options.evaluation.empty()) {
     const ordered_json config = config_of(*stored);
-    demand_same(options.map, config, evaluation.config, keys_of_similarity(config, evaluation.traverses));
+    demand_same(options.map, config, file.config, keys_of_similarity(config, file.traverses));
   }
   const ThresholdChoice choice =
-      choose_threshold(evaluation.curve, evaluation.queries_with_match, options.precision);
+      choose_threshold(file.evaluation.curve, file.evaluation.queries_with_match, options.precision);
   if (choice.detections < choice.needed) {
     spdlog::warn("the threshold rests on {} detections; to claim a precision of {:g} it takes {}, all right",
                  choice.detections, options.precision, choice.needed);
@@ -139,9 +138,9 @@ void tune(const Options& options, const std::optional<StoredMap>& stored) {
   // What the map holds was decided by the old threshold, and stays.
   if (stored) set_threshold(options.map, choice.threshold);
   if (options.json) {
-    print_json(to_json(choice, evaluation, options));
+    print_json(to_json(choice, file, options));
   } else {
-    print(choice, evaluation, options);
+    print(choice, file, options);
   }
 }
 

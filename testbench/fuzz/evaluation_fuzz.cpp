@@ -9,9 +9,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::filesystem::path& path = file.hold(data, size);
   const auto read = fuzz::read_foreign(path, [&] { return app::read_evaluation(path); });
   if (read) {
-    fuzz::demand(read->queries_with_match >= 0 && read->queries_with_match <= read->queries,
+    fuzz::demand(read->evaluation.queries_with_match > 0 &&
+                     read->evaluation.queries_with_match <= read->evaluation.queries,
                  "queries are counted");
-    for (const CurvePoint& point : read->curve) {
+    for (const CurvePoint& point : read->evaluation.curve) {
       fuzz::demand(point.precision >= 0 && point.precision <= 1 && point.recall >= 0 && point.recall <= 1,
                    "precision and recall are within 0 and 1");
     }

@@ -7,7 +7,9 @@
 #include <numeric>
 #include <optional>
 
+#include "evaluate/evaluation_json.hpp"
 #include "io/file_reading.hpp"
+#include "io/json_numbers.hpp"
 #include "map/config_json.hpp"
 #include "matrix.hpp"
 #include "sailmap/error.hpp"
@@ -46,31 +48,6 @@ ordered_json thinned(const std::vector<CurvePoint>& curve) {
   return out;
 }
 
-Evaluation evaluation_in(const ordered_json& json) {
-  Evaluation e;
-  json.at("queries").get_to(e.queries);
-  json.at("queries_with_match").get_to(e.queries_with_match);
-  json.at("average_precision").get_to(e.average_precision);
-  json.at("recall_at_100_precision").get_to(e.recall_at_100);
-  json.at("recall_at_95_precision").get_to(e.recall_at_95);
-  json.at("best_f1").get_to(e.best_f1);
-  json.at("best_f1_threshold").get_to(e.best_f1_threshold);
-  const auto& fixed = json.at("fixed_threshold");
-  fixed.at("threshold").get_to(e.fixed.threshold);
-  fixed.at("detections").get_to(e.fixed.detections);
-  fixed.at("right").get_to(e.fixed.right);
-  fixed.at("precision").get_to(e.fixed.precision);
-  fixed.at("recall").get_to(e.fixed.recall);
-  for (std::size_t k = 0; k < recall_ranks.size(); ++k) {
-    json.at("recall_at").at(std::to_string(recall_ranks[k])).get_to(e.recall_at[k]);
-  }
-  for (const auto& point : json.at("curve")) {
-    e.curve.push_back({point.at("threshold").get<double>(), point.at("precision").get<double>(),
-                       point.at("recall").get<double>()});
-  }
-  return e;
-}
-
 std::string title_of(const ordered_json& json) {
   if (json.contains("source")) return json.at("source").get<std::string>();
   return json.at("query").get<std::string>() + " in " + json.at("reference").get<std::string>();
@@ -80,7 +57,7 @@ Candidate candidate_at(const ordered_json& best, const char* which, const char* 
                        int candidates) {
   const ordered_json& number = best.at(which).at(query);
   if (number.is_null()) return {};
-  const Candidate out{number.get<int>(), best.at(score).at(query).get<double>()};
+  const Candidate out{io::whole_number(number), best.at(score).at(query).get<double>()};
   if (out.node < 0 || out.node >= candidates)
     throw Error(fmt::format("query {} has no such {}", query, which));
   return out;
@@ -125,13 +102,13 @@ EvaluationFile read(const ordered_json& json) {
   if (json.contains("data_sets")) {
     throw Error("a table of several data sets; a report is of one: run `sailmap eval` without --table");
   }
-  const Evaluation evaluation = evaluation_in(json);
+  const Evaluation evaluation = evaluation_from_json(json);
   out.evaluation = evaluation_of(evaluation);
   out.subject.title = title_of(json);
   json.at("method").get_to(out.method);
   out.subject.threshold = evaluation.fixed.threshold;
   out.parameters = json.at("config");
-  json.at("images").get_to(out.queries);
+  out.queries = io::whole_number(json.at("images"));
   json.at("images_per_second").get_to(out.images_per_second);
   if (!json.at("frontend").is_null()) {
     json.at("frontend").get_to(out.subject.frontend);
