@@ -109,8 +109,7 @@ HWY_INLINE void store_distances(DistanceVector squared, const ScreenRegion& regi
   const auto convert = [&](auto numbers, std::uint8_t* to) HWY_ATTR {
     const auto steps = hn::Sqrt(hn::ConvertTo(df, hn::PromoteTo(d32, numbers)));
     const auto codes = hn::Sub(hn::Mul(steps, hn::Set(df, scale)), hn::Set(df, region.error));
-    const auto within = hn::Min(hn::Max(codes, hn::Zero(df)), hn::Set(df, 255.0F));
-    hn::StoreU(hn::DemoteTo(d8, hn::ConvertTo(d32, within)), d8, to);
+    hn::StoreU(hn::DemoteTo(d8, hn::ConvertTo(d32, codes)), d8, to);  // saturates
   };
   convert(hn::LowerHalf(half, squared), out);
   convert(hn::UpperHalf(half, squared), out + hn::Lanes(d32));
