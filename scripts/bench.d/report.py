@@ -22,6 +22,12 @@ GROUPS = {
     "query_loop": ("Query with the index, of a known place", "The image is of a place in the map, on the same way."),
     "query_resampled": ("Query with the index, real regions", "The hard case on a map resampled from the images of Gardens Point."),
     "query_exhaustive": ("Query by comparing with every node", "The same answer as `query`, in the same run."),
+    "screen": (
+        "Screening",
+        "What bounds a query: an image screened, on a map of 20 000 nodes whose runner-up is known. *Passing*: of 1000 images those "
+        "that screening leaves to the estimate. *With exact codes*: those that any bound without constraint 2 leaves; *by fours*: if "
+        "four consecutive images shared that bound. `estimate`: the next step, for one of those that pass.",
+    ),
     "insert": ("Insertion", "One more node in a map of so many."),
     "map": ("Map file", "Loading and saving a map of so many nodes."),
     "opencv": ("What a user would take instead", "OpenCV on the same image: features extracted, or a saliency map."),
@@ -69,6 +75,16 @@ def table(entries, memory, peak):
         else:
             rate_text = f"{1 / time:.4g}"
         lines.append(f"| `{entry['name']}` | {shown(time)} | {rate_text} | " + " | ".join(shares(entry, memory, peak)) + " |")
+    return "\n".join(lines)
+
+
+def screening_table(entries):
+    lines = ["| benchmark | time | passing | with exact codes | by fours |", "|---|---|---|---|---|"]
+    for entry in entries:
+        if entry["name"].split("/")[0] not in ("screen", "estimate"):
+            continue
+        counts = [f"{1000 * entry[key]:.3g}" if key in entry else "" for key in ("passing", "passing_exact", "fours_passing_exact")]
+        lines.append(f"| `{entry['name']}` | {shown(seconds(entry))} | " + " | ".join(counts) + " |")
     return "\n".join(lines)
 
 
@@ -124,6 +140,9 @@ def document(report, plotted):
     for group, (heading, what) in GROUPS.items():
         chosen = [e for e in entries if e["name"].split("/")[0] == group]
         if not chosen:
+            continue
+        if group == "screen":
+            parts += [f"## {heading}", what, screening_table(entries)]
             continue
         parts += [f"## {heading}", what, table(chosen, memory, peak)]
         if group == "query_exhaustive" and plotted:

@@ -8,6 +8,9 @@ namespace sailmap::bench {
 // match/..., insert/..., query/..., query_exhaustive/...
 void register_query();
 
+// screen/..., estimate/...: the parts of a query
+void register_screen();
+
 // map/...
 void register_map();
 

@@ -6,6 +6,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   sailmap::bench::register_query();
+  sailmap::bench::register_screen();
   sailmap::bench::register_context();
   sailmap::bench::register_map();
   benchmark::RunSpecifiedBenchmarks();

@@ -39,7 +39,7 @@ Estimator::Estimator(const Signature& query, const MatchConfig& config) : config
   lanes_.y.assign(padded, nowhere);
   lanes_.descriptor.fill(std::vector<float>(padded));
   lanes_.order.resize(lanes_.count);
-  work_.numbers.resize(3 * padded);
+  work_.numbers.resize(5 * padded);
   for (std::size_t lane = 0; lane < lanes_.count; ++lane) {
     const Region& region = query.regions[region_of_lane[lane]];
     lanes_.x[lane] = region.x;

@@ -37,7 +37,8 @@ struct ConsistentMatches {
 // Memory of the kernel, kept from call to call.
 struct EstimateWork {
   std::vector<float> numbers;
-  std::vector<float> x, y;  // of the candidates
+  std::vector<std::int32_t> pairs;  // x and y of the candidates
+  std::vector<float> x, y;
 };
 
 class Estimator {

@@ -4,9 +4,8 @@
 
 #include "kernels.hpp"
 #include "plain_kernels.hpp"
+#include "simd/sized_vectors.hpp"
 
-// Vectors of a size unknown to the compiler cannot be members of structs.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "index/estimate_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -97,34 +96,48 @@ HWY_INLINE Nearest nearest(const QueryLanes& lanes, std::size_t lane, const Regi
   return {least, least_dx, least_dy, !hn::AllFalse(d, doubtful)};
 }
 
-// How many displacements agree with (x, y).
-HWY_INLINE std::size_t supporters(const float* dx, const float* dy, std::size_t lanes, float x, float y,
-                                  float largest) {
+// Positions of the candidates as numbers, and beyond them some that are nowhere.
+HWY_INLINE void set_positions(const Region* candidates, std::size_t count, EstimateWork& work) {
   const Floats d;
-  std::size_t count = 0;
-  for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
-    const FloatVector ex = hn::Sub(hn::LoadU(d, dx + lane), hn::Set(d, x));
-    const FloatVector ey = hn::Sub(hn::LoadU(d, dy + lane), hn::Set(d, y));
-    count += hn::CountTrue(d, hn::Le(hn::MulAdd(ex, ex, hn::Mul(ey, ey)), hn::Set(d, largest)));
+  const hn::RebindToSigned<Floats> di;
+  const std::size_t padded = count + lane_padding;
+  work.pairs.resize(std::max(work.pairs.size(), padded));
+  work.x.resize(std::max(work.x.size(), padded));
+  work.y.resize(work.x.size());
+  for (std::size_t j = 0; j < count; ++j) {
+    const auto x = static_cast<std::uint16_t>(candidates[j].x);
+    const auto y = static_cast<std::uint16_t>(candidates[j].y);
+    work.pairs[j] = static_cast<std::int32_t>(x | static_cast<std::uint32_t>(y) << 16U);
   }
-  return count;
+  for (std::size_t j = 0; j < count; j += hn::Lanes(d)) {
+    const auto pairs = hn::LoadU(di, work.pairs.data() + j);
+    const auto x = hn::ShiftRight<16>(hn::ShiftLeft<16>(pairs));
+    hn::StoreU(hn::ConvertTo(d, x), d, work.x.data() + j);
+    hn::StoreU(hn::ConvertTo(d, hn::ShiftRight<16>(pairs)), d, work.y.data() + j);
+  }
+  std::fill_n(work.x.data() + count, lane_padding, no_candidate);
 }
 
-// Number and distances of those that agree with (x, y).
-HWY_INLINE ConsistentMatches agreeing(const float* squared, const float* dx, const float* dy,
-                                      std::size_t lanes, float x, float y, float largest) {
+// For a vector of query regions, how many displacements agree with theirs, and the sum of their distances.
+// Regions without a candidate agree with none that has one.
+struct Support {
+  FloatVector count, sum;
+};
+HWY_INLINE Support supported(const QueryLanes& lanes, std::size_t lane, const float* distance,
+                             const float* dx, const float* dy) {
   const Floats d;
-  FloatVector sum = hn::Zero(d);
-  std::size_t count = 0;
-  for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
-    const FloatVector ex = hn::Sub(hn::LoadU(d, dx + lane), hn::Set(d, x));
-    const FloatVector ey = hn::Sub(hn::LoadU(d, dy + lane), hn::Set(d, y));
-    const auto agree = hn::Le(hn::MulAdd(ex, ex, hn::Mul(ey, ey)), hn::Set(d, largest));
-    const FloatVector certain = hn::Sub(hn::LoadU(d, squared + lane), hn::Set(d, underflow));
-    sum = hn::Add(sum, hn::IfThenElseZero(agree, hn::Sqrt(hn::Max(certain, hn::Zero(d)))));
-    count += hn::CountTrue(d, agree);
+  const FloatVector x = hn::LoadU(d, dx + lane);
+  const FloatVector y = hn::LoadU(d, dy + lane);
+  const FloatVector largest = hn::Set(d, lanes.largest_squared_spread);
+  Support out{hn::Zero(d), hn::Zero(d)};
+  for (std::size_t other = 0; other < lanes.count; ++other) {
+    const FloatVector ex = hn::Sub(x, hn::Set(d, dx[other]));
+    const FloatVector ey = hn::Sub(y, hn::Set(d, dy[other]));
+    const auto agree = hn::Le(hn::MulAdd(ex, ex, hn::Mul(ey, ey)), largest);
+    out.count = hn::Add(out.count, hn::IfThenElseZero(agree, hn::Set(d, 1.0F)));
+    out.sum = hn::Add(out.sum, hn::IfThenElseZero(agree, hn::Set(d, distance[other])));
   }
-  return {static_cast<int>(count), hn::GetLane(hn::SumOfLanes(d, sum)), false};
+  return out;
 }
 
 }  // namespace
@@ -133,33 +146,34 @@ ConsistentMatches consistent(const QueryLanes& lanes, const Region* candidates, 
                              EstimateWork& work) {
   const Floats d;
   const std::size_t padded = lanes.x.size();
-  float* squared = work.numbers.data();
-  float* dx = squared + padded;
+  float* distance = work.numbers.data();
+  float* dx = distance + padded;
   float* dy = dx + padded;
-  work.x.resize(std::max(work.x.size(), count + lane_padding));
-  work.y.resize(work.x.size());
-  for (std::size_t j = 0; j < count; ++j) {
-    work.x[j] = candidates[j].x;
-    work.y[j] = candidates[j].y;
-  }
-  std::fill_n(work.x.data() + count, lane_padding, no_candidate);
+  float* support = dy + padded;
+  float* sum = support + padded;
+  set_positions(candidates, count, work);
   for (std::size_t lane = 0; lane < padded; lane += hn::Lanes(d)) {
     const Nearest found = nearest(lanes, lane, candidates, count, work);
     if (found.ambiguous) return {0, 0, true};
-    hn::StoreU(found.least, d, squared + lane);
+    const FloatVector certain = hn::Max(hn::Sub(found.least, hn::Set(d, underflow)), hn::Zero(d));
+    hn::StoreU(hn::Sqrt(certain), d, distance + lane);
     hn::StoreU(found.dx, d, dx + lane);
     hn::StoreU(found.dy, d, dy + lane);
   }
-  std::size_t most = 0;
+  for (std::size_t lane = 0; lane < padded; lane += hn::Lanes(d)) {
+    const Support found = supported(lanes, lane, distance, dx, dy);
+    const auto matched = hn::Lt(hn::LoadU(d, dx + lane), hn::Set(d, no_candidate));
+    hn::StoreU(hn::IfThenElseZero(matched, found.count), d, support + lane);
+    hn::StoreU(found.sum, d, sum + lane);
+  }
+  float most = 0;
   std::size_t common = 0;
   for (const std::size_t lane : lanes.order) {
-    const std::size_t agree = supporters(dx, dy, padded, dx[lane], dy[lane], lanes.largest_squared_spread);
-    const std::size_t support = squared[lane] < no_candidate ? agree : 0;
-    common = support > most ? lane : common;
-    most = std::max(most, support);
+    common = support[lane] > most ? lane : common;
+    most = std::max(most, support[lane]);
   }
   if (most == 0) return {};
-  return agreeing(squared, dx, dy, padded, dx[common], dy[common], lanes.largest_squared_spread);
+  return {static_cast<int>(most), sum[common], false};
 }
 
 #endif  // HWY_SCALAR

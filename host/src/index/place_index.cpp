@@ -19,6 +19,8 @@ using index::block_images;
 // Blocks screened before those that pass are looked at: enough that the memory reads of many overlap, and
 // few at first, when nothing is known yet and all pass.
 constexpr std::size_t most_blocks_at_once = 16;
+// Of those that waited; after each so many, some of the rest may no longer matter.
+constexpr std::size_t most_compared_at_once = 256;
 
 class Search {
  public:
@@ -93,19 +95,33 @@ class Search {
     }
   }
 
-  // In steps over all of them, so that they wait for memory together.
+  void find_signature(Promising& p) {
+    p.signature = &signature_of_(p.entry);
+    __builtin_prefetch(p.signature);
+  }
+
+  static void fetch_regions(const Promising& p) {
+    const auto* bytes = reinterpret_cast<const char*>(p.signature->regions.data());
+    for (std::size_t at = 0; at < p.signature->regions.size() * sizeof(Region); at += 64) {
+      __builtin_prefetch(bytes + at);
+    }
+  }
+
+  // Signatures are asked for well before they are needed, as memory is slow.
+  void estimate_all(std::span<Promising> entries) {
+    constexpr std::size_t ahead = 8;
+    const std::size_t count = entries.size();
+    for (std::size_t step = 0; step < count + 2 * ahead; ++step) {
+      if (step < count) find_signature(entries[step]);
+      if (step >= ahead && step - ahead < count) fetch_regions(entries[step - ahead]);
+      if (step < 2 * ahead) continue;
+      Promising& p = entries[step - 2 * ahead];
+      p.bound = estimate_(*p.signature);
+    }
+  }
+
   void compare_all(std::span<Promising> entries) {
-    for (Promising& p : entries) {
-      p.signature = &signature_of_(p.entry);
-      __builtin_prefetch(p.signature);
-    }
-    for (const Promising& p : entries) {
-      const auto* bytes = reinterpret_cast<const char*>(p.signature->regions.data());
-      for (std::size_t at = 0; at < p.signature->regions.size() * sizeof(Region); at += 64) {
-        __builtin_prefetch(bytes + at);
-      }
-    }
-    for (Promising& p : entries) p.bound = estimate_(*p.signature);
+    estimate_all(entries);
     std::sort(entries.begin(), entries.end(), by_bound);
     for (const Promising& p : entries) {
       if (p.bound <= 0 || p.bound < leaders_.threshold()) break;
@@ -113,11 +129,21 @@ class Search {
     }
   }
 
+  // By falling grade, and those of a grade in the order they have in memory.
   void compare_deferred() {
-    std::sort(deferred_.begin(), deferred_.end(), by_bound);
-    for (std::size_t begin = 0; begin < deferred_.size(); begin += block_images) {
-      if (deferred_[begin].bound < leaders_.threshold()) break;
-      compare_all(std::span(deferred_).subspan(begin, std::min(block_images, deferred_.size() - begin)));
+    for (std::size_t grade = index::grades - 1; grade-- > 0;) {
+      const double least = grade_bounds_[grade];
+      for (std::size_t begin = 0; begin < deferred_.size();) {
+        promising_.clear();
+        const double enough = std::max(least, leaders_.threshold());
+        for (; begin < deferred_.size() && promising_.size() < most_compared_at_once; ++begin) {
+          Promising& p = deferred_[begin];
+          if (p.bound < enough) continue;
+          promising_.push_back(p);
+          p.bound = 0;
+        }
+        compare_all(promising_);
+      }
     }
   }
 

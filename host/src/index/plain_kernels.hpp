@@ -12,50 +12,34 @@
 
 namespace sailmap::index::plain {
 
-// Half the squared size of a candidate's codes about their zeros, rounded down, less their product with the
-// query's: half the squared distance, less half the square of the query's.
-inline int half_distance(const Block& block, std::size_t slot, std::size_t lane, const ScreenRegion& region,
-                         std::size_t begin, const std::vector<int>& zeros) {
-  int square = 0;
-  int product = 0;
-  for (std::size_t i = begin; i < begin + zeros.size(); ++i) {
-    const std::size_t row = slot * Block::slot_bytes + i / 2 * Block::row_bytes;
-    const int c = block.codes[row + 2 * lane + i % 2] - zeros[i - begin];
-    const auto pair = static_cast<std::uint16_t>(region.minus_pairs[i / 2]);
-    const auto minus_q = static_cast<std::int8_t>(i % 2 == 0 ? pair & 0xFFU : pair >> 8U);
-    square += c * c;
-    product += c * minus_q;
-  }
-  return square / 2 + product;
-}
+// Of the two bytes, less their zeros: their squares, summed.
+inline int square(int x, int y) { return x * x + y * y; }
 
-inline int half_square_of_descriptor(const ScreenRegion& region) {
-  int square = 0;
-  for (std::size_t i = 0; i < directions; ++i) {
-    const auto pair = static_cast<std::uint16_t>(region.minus_pairs[i / 2]);
-    const auto q = static_cast<std::int8_t>(i % 2 == 0 ? pair & 0xFFU : pair >> 8U);
-    square += q * q;
-  }
-  return square / 2;
+// The two bytes' products with the signed bytes in `pair`, summed as far as signed 16 bits go.
+inline int product(int x, int y, std::int16_t pair) {
+  const auto bytes = static_cast<std::uint16_t>(pair);
+  const int sum = x * static_cast<std::int8_t>(bytes & 0xFFU) + y * static_cast<std::int8_t>(bytes >> 8U);
+  return std::clamp<int>(sum, INT16_MIN, INT16_MAX);
 }
 
 inline std::uint8_t least_bound(const Block& block, const ScreenQuery& query, const ScreenRegion& region,
                                 std::size_t lane) {
-  const auto pair = static_cast<std::uint16_t>(query.position_zeros);
-  const std::vector<int> position_zeros = {static_cast<int>(pair & 0xFFU), static_cast<int>(pair >> 8U)};
-  const std::vector<int> descriptor_zeros(directions, zero_code);
   const bool exact = query.exact_positions && block.exact_positions;
   const auto count = static_cast<std::size_t>(block.counts[lane]);
-  int least = INT16_MAX;
+  std::uint16_t least = no_distance;
   for (std::size_t slot = 0; slot < count; ++slot) {
-    const int offset = half_distance(block, slot, lane, region, directions, position_zeros);
-    if (offset >= region.position_limits[exact ? 0 : 1]) continue;
-    const int distance =
-        half_distance(block, slot, lane, region, 0, descriptor_zeros) + half_square_of_descriptor(region);
-    least = std::min<int>(least, static_cast<std::int16_t>(distance));
+    const std::uint8_t* c = block.codes.data() + slot * Block::slot_bytes + 2 * lane;
+    int distance = region.descriptor_rest;
+    std::size_t i = 0;
+    for (; i < directions / 2; ++i, c += Block::row_bytes) {
+      distance += square(c[0] - zero_code, c[1] - zero_code) + product(c[0], c[1], region.minus_pairs[i]);
+    }
+    const int offset = square(c[0] - position_zero, c[1] - position_zero) / 2 +
+                       product(c[0], c[1], region.minus_pairs[i]) + region.position_rest;
+    if (static_cast<std::int16_t>(offset) >= region.position_limits[exact ? 0 : 1]) continue;
+    least = std::min(least, static_cast<std::uint16_t>(distance));
   }
-  const auto squared = static_cast<float>(std::max(least, 0));
-  const float code = std::sqrt(squared + squared) * query.scale - region.error;
+  const float code = std::sqrt(static_cast<float>(least)) * query.scale - region.error;
   return static_cast<std::uint8_t>(std::clamp(code, 0.0F, 255.0F));
 }
 

@@ -10,6 +10,18 @@ std::uint8_t code_of(double steps, int zero, int last) {
   return static_cast<std::uint8_t>(std::clamp(std::round(steps) + zero, 0.0, static_cast<double>(last)));
 }
 
+// In steps from 0, cut to what codes hold: what the errors are against.
+Projection cut_steps(const Descriptor& descriptor) {
+  Projection p = project(descriptor);
+  for (double& number : p) {
+    number = std::clamp(number / step, double{-zero_code}, double{last_code - zero_code});
+  }
+  return p;
+}
+
+// See the grid's zero. `codes` columns or rows.
+double largest_product(double codes) { return std::max(0.0, codes - position_zero) * codes; }
+
 }  // namespace
 
 Projection project(const Descriptor& descriptor) {
@@ -20,12 +32,18 @@ Projection project(const Descriptor& descriptor) {
 }
 
 PositionGrid::PositionGrid(int width, int height) {
-  step = std::max(step, std::hypot(width, height) / (longest_diagonal - 3));
-  const std::array<int, 2> sides = {std::max(width, 1), std::max(height, 1)};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    middle[axis] = sides[axis] / 8 * 4;
-    zeros[axis] = static_cast<int>(std::ceil(middle[axis] / step));
-  }
+  constexpr double last_byte = 2 * position_zero;
+  constexpr double longest_side = 32767;  // positions have 16 bits
+  const std::array<double, 2> sides = {std::clamp<double>(width, 1, longest_side),
+                                       std::clamp<double>(height, 1, longest_side)};
+  const auto fits = [&] {
+    const double columns = std::ceil(sides[0] / step);
+    const double rows = std::ceil(sides[1] / step);
+    return std::max(columns, rows) <= last_byte &&
+           largest_product(columns) + largest_product(rows) <= INT16_MAX;
+  };
+  while (!fits()) step *= 1.02;
+  for (std::size_t axis = 0; axis < 2; ++axis) last[axis] = static_cast<int>(std::ceil(sides[axis] / step));
 }
 
 RegionCode encode(const Region& region, const PositionGrid& grid) {
@@ -34,8 +52,7 @@ RegionCode encode(const Region& region, const PositionGrid& grid) {
   for (std::size_t i = 0; i < directions; ++i) code[i] = code_of(p[i] / step, zero_code, last_code);
   const std::array<int, 2> position = {region.x, region.y};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const int zero = grid.zeros[axis];
-    code[directions + axis] = code_of((position[axis] - grid.middle[axis]) / grid.step, zero, 2 * zero + 1);
+    code[directions + axis] = code_of(position[axis] / grid.step, 0, grid.last[axis]);
   }
   return code;
 }
@@ -44,18 +61,35 @@ bool is_exact(const Region& region, const PositionGrid& grid) {
   const RegionCode code = encode(region, grid);
   const std::array<int, 2> position = {region.x, region.y};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const int steps = code[directions + axis] - grid.zeros[axis];
-    if (grid.middle[axis] + grid.step * steps != position[axis]) return false;
+    if (grid.step * code[directions + axis] != position[axis]) return false;
   }
   return true;
 }
 
 double code_error(const Descriptor& descriptor, const RegionCode& code) {
-  const Projection p = project(descriptor);
+  const Projection steps = cut_steps(descriptor);
   double sum = 0;
   for (std::size_t i = 0; i < directions; ++i) {
-    const double steps = std::clamp(p[i] / step, double{-zero_code}, double{last_code - zero_code});
-    const double error = steps - (code[i] - zero_code);
+    const double error = steps[i] - (code[i] - zero_code);
+    sum += error * error;
+  }
+  return step * std::sqrt(sum);
+}
+
+QueryCode encode_query(const Descriptor& descriptor) {
+  const Projection steps = cut_steps(descriptor);
+  QueryCode code{};
+  for (std::size_t i = 0; i < directions; ++i) {
+    code[i] = std::clamp(static_cast<int>(std::lround(2 * steps[i])), -last_half_step, last_half_step);
+  }
+  return code;
+}
+
+double code_error(const Descriptor& descriptor, const QueryCode& code) {
+  const Projection steps = cut_steps(descriptor);
+  double sum = 0;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const double error = steps[i] - code[i] / 2.0;
     sum += error * error;
   }
   return step * std::sqrt(sum);

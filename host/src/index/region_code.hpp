@@ -24,15 +24,17 @@ inline constexpr double step = 0.01123;  // 127 of them span the +-sqrt(1/2) of 
 inline constexpr int zero_code = 64;
 inline constexpr int last_code = 127;
 
-// Columns and rows are counted in `step` pixels from a middle pixel, whose codes are the zeros: 4 pixels,
-// which is exact for regions on the base level, unless the image is too large for the kernel's 16 bits.
+// Columns and rows are counted in `step` pixels: 4 pixels, which is exact for regions on the base level,
+// unless the image is too large for the kernel's 8 and 16 bits (most images up to 1000 pixels wide are not).
+// What lies beyond the last column or row counts as that, which brings none further apart.
 struct PositionGrid {
   PositionGrid(int width, int height);
   double step = 4;
-  std::array<int, 2> middle{};  // x, y
-  std::array<int, 2> zeros{};
+  std::array<int, 2> last{};  // x, y
 };
-inline constexpr int longest_diagonal = 254;  // in codes
+// The kernel counts positions from here, as far to the right and below as signed bytes allow: the products
+// of positions that are near each other are then small enough for 16 bits.
+inline constexpr int position_zero = 127;
 
 // Six directions, then column and row.
 inline constexpr std::size_t code_bytes = directions + 2;
@@ -46,6 +48,12 @@ bool is_exact(const Region& region, const PositionGrid& grid);
 // exactly.
 inline constexpr double largest_code_error = 0.01376;  // step / 2 in each of six directions
 double code_error(const Descriptor& descriptor, const RegionCode& code);
+
+// The query's directions are in half steps from 0, and from what the code can hold no further than these.
+using QueryCode = std::array<int, directions>;
+inline constexpr int last_half_step = 127;
+QueryCode encode_query(const Descriptor& descriptor);
+double code_error(const Descriptor& descriptor, const QueryCode& code);
 
 // Not too many regions, all numbers finite and small enough that no arithmetic on them in single precision
 // overflows. Other signatures are compared exactly.

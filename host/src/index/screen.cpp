@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "kernels.hpp"
 
@@ -19,52 +18,41 @@ std::int16_t pair_of(int first, int second) {
   return static_cast<std::int16_t>(low | (high << 8));
 }
 
-// Of codes q about their zeros: |q|^2 / 2, rounded down, and the product of q with the zeros.
-struct Moments {
-  int half_square = 0;
-  int product = 0;
-};
-Moments moments(const RegionCode& code, std::size_t begin, std::initializer_list<int> zeros) {
-  Moments out;
-  for (const int zero : zeros) {
-    const int q = code[begin] - zero;
-    out.half_square += q * q;
-    out.product += q * zero;
-    ++begin;
-  }
-  out.half_square /= 2;
-  return out;
-}
-
 // `radius` and `error` in steps of position codes.
 std::int16_t position_limit(double radius, double error, int half_square) {
-  constexpr double all = longest_diagonal * longest_diagonal / 2;
+  constexpr double all = 65536;  // beyond half of any squared offset
   const double reach = radius + error + slack;
-  return static_cast<std::int16_t>(static_cast<int>(std::min(reach * reach / 2, all)) + 1 - half_square);
+  const int limit = static_cast<int>(std::min(reach * reach / 2, all)) + 1 - half_square - position_bias;
+  return static_cast<std::int16_t>(std::min<int>(limit, INT16_MAX));
+}
+
+void set_descriptor(const QueryCode& code, ScreenRegion& region) {
+  int square = 0;
+  int product = 0;  // with the zeros
+  for (std::size_t i = 0; i < directions; ++i) {
+    square += code[i] * code[i];
+    product += code[i] * zero_code;
+  }
+  for (std::size_t i = 0; i < directions / 2; ++i) {
+    region.minus_pairs[i] = pair_of(-code[2 * i], -code[2 * i + 1]);
+  }
+  region.descriptor_rest = static_cast<std::int16_t>(square / 4 + product);
 }
 
 // `radius` in pixels.
-ScreenRegion screen_region(const RegionCode& code, const PositionGrid& grid, double radius) {
-  ScreenRegion out;
-  for (std::size_t i = 0; i < directions / 2; ++i) {
-    out.minus_pairs[i] = pair_of(zero_code - code[2 * i], zero_code - code[2 * i + 1]);
-  }
+void set_position(const RegionCode& code, const PositionGrid& grid, double radius, ScreenRegion& out) {
   const int column = code[directions];
-  const int row = code[directions + 1];
-  out.minus_pairs[directions / 2] = pair_of(grid.zeros[0] - column, grid.zeros[1] - row);
-  const Moments descriptor =
-      moments(code, 0, {zero_code, zero_code, zero_code, zero_code, zero_code, zero_code});
-  out.descriptor_rest = static_cast<std::int16_t>(descriptor.half_square + descriptor.product);
-  const Moments position = moments(code, directions, {grid.zeros[0], grid.zeros[1]});
-  out.position_rest = static_cast<std::int16_t>(position.product);
+  const int x = column - position_zero;
+  const int y = code[directions + 1] - position_zero;
+  const int half_square = (x * x + y * y) / 2;
+  out.minus_pairs[directions / 2] = pair_of(-x, -y);
+  out.position_rest = static_cast<std::int16_t>((x + y) * position_zero - position_bias);
   const double off = std::sqrt(2.0);  // both codes, by half in each direction
   const double reach = radius / grid.step;
-  out.position_limits = {position_limit(reach, 0, position.half_square),
-                         position_limit(reach, off, position.half_square)};
+  out.position_limits = {position_limit(reach, 0, half_square), position_limit(reach, off, half_square)};
   const double columns = std::min(reach + off, 255.0);
   out.first_column = static_cast<std::uint8_t>(std::max(0.0, std::floor(column - columns)));
   out.last_column = static_cast<std::uint8_t>(std::min(255.0, std::ceil(column + columns)));
-  return out;
 }
 
 // The most S_k may be for k regions to reach the similarity.
@@ -75,11 +63,9 @@ double limit(std::size_t k, Method method, std::size_t regions, double similarit
 }
 
 // With positions at their zeros, which the kernel's empty_slot counts on.
-void append_empty_slot(std::vector<std::uint8_t>& codes, const PositionGrid& grid) {
+void append_empty_slot(AlignedVector<std::uint8_t>& codes) {
   codes.resize(codes.size() + directions * block_images);
-  for (std::size_t lane = 0; lane < block_images; ++lane) {
-    for (const int zero : grid.zeros) codes.push_back(static_cast<std::uint8_t>(zero));
-  }
+  codes.insert(codes.end(), 2 * block_images, static_cast<std::uint8_t>(position_zero));
 }
 
 }  // namespace
@@ -100,7 +86,7 @@ void Block::add(std::size_t lane, const Signature& signature) {
     columns.reserve(count);
     columns.resize(count);
     codes.reserve(count * slot_bytes);  // exactly: growth by doubling would waste memory
-    for (std::size_t slot = codes.size() / slot_bytes; slot < count; ++slot) append_empty_slot(codes, grid);
+    for (std::size_t slot = codes.size() / slot_bytes; slot < count; ++slot) append_empty_slot(codes);
   }
   counts[lane] = static_cast<std::int16_t>(count);
   for (std::size_t slot = 0; slot < count; ++slot) {
@@ -108,12 +94,13 @@ void Block::add(std::size_t lane, const Signature& signature) {
       const std::size_t row = slot * slot_bytes + byte / 2 * row_bytes;
       codes[row + 2 * lane + byte % 2] = regions[slot][byte];
     }
-    columns[slot].first = std::min(columns[slot].first, column(regions[slot]));
-    columns[slot].last = std::max(columns[slot].last, column(regions[slot]));
+    Columns& range = columns[slot][lane / group_images];
+    range.first = std::min(range.first, column(regions[slot]));
+    range.last = std::max(range.last, column(regions[slot]));
   }
 }
 
-std::size_t Block::memory() const { return codes.capacity() + columns.capacity() * sizeof(Columns); }
+std::size_t Block::memory() const { return codes.capacity() + columns.capacity() * sizeof(columns[0]); }
 
 SortingNetwork sorting_network(std::size_t size) {
   SortingNetwork network;
@@ -134,15 +121,17 @@ ScreenQuery::ScreenQuery(const Signature& query, const MatchConfig& config)
     : limits(query.regions.size()), network(sorting_network(query.regions.size())), method_(config.method) {
   const double radius = config.search_radius * std::hypot(query.width, query.height);
   const PositionGrid grid(query.width, query.height);
-  position_zeros = pair_of(grid.zeros[0], grid.zeros[1]);
   std::vector<const Region*> order;
   for (const Region& region : query.regions) order.push_back(&region);
   std::sort(order.begin(), order.end(), [](const Region* a, const Region* b) { return a->x < b->x; });
   for (const Region* region : order) {
     const RegionCode code = encode(*region, grid);
-    regions.push_back(screen_region(code, grid, radius));
+    const QueryCode query_code = encode_query(region->descriptor);
+    regions.emplace_back();
+    set_descriptor(query_code, regions.back());
+    set_position(code, grid, radius, regions.back());
     exact_positions = exact_positions && is_exact(*region, grid);
-    errors_.push_back(largest_code_error + code_error(region->descriptor, code) + slack);
+    errors_.push_back(largest_code_error + code_error(region->descriptor, query_code) + slack);
   }
 }
 

@@ -15,21 +15,25 @@
 
 #include "region_code.hpp"
 #include "sailmap/similarity.hpp"
+#include "simd/aligned_vector.hpp"
 
 namespace sailmap::index {
 
 inline constexpr std::size_t block_images = 64;
+// Images that share the bounds of their columns: as many as the largest vectors hold.
+inline constexpr std::size_t group_images = 32;
+inline constexpr std::size_t block_groups = block_images / group_images;
 
 // The codes of up to 64 images: for each slot (an image's regions in order of their column) four rows, one
 // for each pair of code bytes, of 64 such pairs.
 struct Block {
-  std::vector<std::uint8_t> codes;
+  AlignedVector<std::uint8_t> codes;
   struct Columns {
     std::uint8_t first = 255;
     std::uint8_t last = 0;
   };
-  std::vector<Columns> columns;                     // of each slot, over its images
-  std::array<std::int16_t, block_images> counts{};  // regions of each image, slots beyond are empty
+  std::vector<std::array<Columns, block_groups>> columns;  // of each slot, over its images
+  std::array<std::int16_t, block_images> counts{};         // regions of each image, slots beyond are empty
   bool exact_positions = true;
 
   static constexpr std::size_t row_bytes = 2 * block_images;
@@ -45,15 +49,17 @@ using SortingNetwork = std::vector<std::pair<std::uint16_t, std::uint16_t>>;
 // Pairs (i, j), i < j, whose comparisons in this order sort `size` numbers (Batcher's odd-even merge).
 SortingNetwork sorting_network(std::size_t size);
 
-// One region of the query, as the kernel wants it. With codes c and q about their zeros, half the squared
-// distance is |c|^2/2 - q.c + |q|^2/2; in 16 bits, halves rounded down. The kernel has codes with the zeros
-// still in them: what that adds to -q.c is in the `rests`.
+// One region of the query, as the kernel wants it: in 16 bits, modulo 2^16 on the way. With a candidate's
+// code c about its zeros and the query's q in half steps, the squared distance is |c|^2 - q.c + |q|^2/4,
+// rounded down. With positions c and q about their zeros, half the squared offset is |c|^2/2 - q.c + |q|^2/2,
+// halves rounded down. The kernel has codes with the zeros still in them: what that adds to -q.c is in the
+// `rests`.
 struct ScreenRegion {
   std::array<std::int16_t, code_bytes / 2> minus_pairs{};  // -q in signed bytes, two in each
-  std::int16_t descriptor_rest = 0;                        // with |q|^2/2
-  std::int16_t position_rest = 0;                          // without
-  // Constraint 1 fails for certain where half the squared distance, less |q|^2/2, is this or more: among
-  // exact positions, and among others.
+  std::int16_t descriptor_rest = 0;                        // with |q|^2/4
+  std::int16_t position_rest = 0;                          // without |q|^2/2, less position_bias
+  // Constraint 1 fails for certain where half the squared offset, less |q|^2/2 and the bias, is this or more:
+  // among exact positions, and among others.
   std::array<std::int16_t, 2> position_limits{};
   float error = 0;                // of both codes, in distance codes
   std::uint8_t first_column = 0;  // that may hold admissible candidates
@@ -78,7 +84,6 @@ class ScreenQuery {
 
   // For the kernel.
   std::vector<ScreenRegion> regions;                      // by column
-  std::int16_t position_zeros = 0;                        // two bytes
   bool exact_positions = true;                            // of the query
   float scale = 0;                                        // distance codes (0 .. 255) in a step
   std::vector<std::array<std::uint16_t, grades>> limits;  // of S_k, k = 1, 2, ..., in distance codes
@@ -87,7 +92,7 @@ class ScreenQuery {
  private:
   Method method_;
   std::vector<double> errors_;  // of the codes of `regions`
-  std::vector<std::uint8_t> work_;
+  AlignedVector<std::uint8_t> work_;
 };
 
 }  // namespace sailmap::index

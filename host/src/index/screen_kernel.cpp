@@ -3,9 +3,8 @@
 
 #include "kernels.hpp"
 #include "plain_kernels.hpp"
+#include "simd/sized_vectors.hpp"
 
-// Vectors of a size unknown to the compiler cannot be members of structs.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "index/screen_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -28,10 +27,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Bytes = hn::CappedTag<std::uint8_t, block_images>;
 using Vector = hn::Vec<Bytes>;
-using Pairs = hn::CappedTag<std::int16_t, block_images>;  // codes, two to a lane
+using Pairs = hn::CappedTag<std::int16_t, group_images>;  // codes, two to a lane
 using PairVector = hn::Vec<Pairs>;
+using Distances = hn::RebindToUnsigned<Pairs>;
+using DistanceVector = hn::Vec<Distances>;
 
-// For each lane the sum of the products of its two bytes, those of `codes` (0 .. 127) and those of
+// For each lane the saturated sum of the products of its two bytes, those of `codes` and those of
 // `signed_bytes`.
 HWY_INLINE PairVector dot(PairVector codes, PairVector signed_bytes) {
 #if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4
@@ -41,9 +42,11 @@ HWY_INLINE PairVector dot(PairVector codes, PairVector signed_bytes) {
 #elif HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
   return PairVector{_mm512_maddubs_epi16(codes.raw, signed_bytes.raw)};
 #else
+  const hn::RebindToUnsigned<Pairs> du;
   const auto low =
       hn::Mul(hn::And(codes, hn::Set(Pairs(), 0xFF)), hn::ShiftRight<8>(hn::ShiftLeft<8>(signed_bytes)));
-  return hn::Add(low, hn::Mul(hn::ShiftRight<8>(codes), hn::ShiftRight<8>(signed_bytes)));
+  const auto high = hn::BitCast(Pairs(), hn::ShiftRight<8>(hn::BitCast(du, codes)));
+  return hn::SaturatedAdd(low, hn::Mul(high, hn::ShiftRight<8>(signed_bytes)));
 #endif
 }
 
@@ -55,12 +58,12 @@ HWY_INLINE PairVector squares(PairVector codes, PairVector zeros) {
   return dot(size, size);
 }
 
-// Half the squares |c|^2 of descriptor and position of each candidate; positions of empty slots are beyond
-// all limits. Rows of 64 numbers, descriptor and position for each slot.
-HWY_INLINE void half_squares(const Block& block, std::int16_t position_zeros, std::int16_t* out) {
+// The squares |c|^2 of the descriptor and half those of the position of each candidate; positions of empty
+// slots are beyond all limits. Rows of 64 numbers, descriptor and position for each slot.
+HWY_INLINE void candidate_squares(const Block& block, std::int16_t* out) {
   const Pairs d;
   const PairVector zeros = hn::Set(d, zero_code * 0x0101);
-  const PairVector middle = hn::Set(d, position_zeros);
+  const PairVector middle = hn::Set(d, position_zero * 0x0101);
   for (std::size_t slot = 0; slot < block.slots(); ++slot) {
     const auto* row = reinterpret_cast<const std::int16_t*>(block.codes.data() + slot * Block::slot_bytes);
     for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(d)) {
@@ -71,7 +74,7 @@ HWY_INLINE void half_squares(const Block& block, std::int16_t position_zeros, st
       const auto count = hn::LoadU(d, block.counts.data() + lane);
       const auto filled = hn::Gt(count, hn::Set(d, static_cast<std::int16_t>(slot)));
       const auto position = hn::ShiftRight<1>(square(3, middle));
-      hn::StoreU(hn::ShiftRight<1>(sum), d, out + 2 * slot * block_images + lane);
+      hn::StoreU(sum, d, out + 2 * slot * block_images + lane);
       hn::StoreU(hn::IfThenElse(filled, position, hn::Set(d, empty_slot)), d,
                  out + (2 * slot + 1) * block_images + lane);
     }
@@ -80,7 +83,8 @@ HWY_INLINE void half_squares(const Block& block, std::int16_t position_zeros, st
 
 // A region of the query in registers.
 struct Probe {
-  PairVector q0, q1, q2, q3, descriptor_rest, position_rest, limit, least;
+  PairVector q0, q1, q2, q3, descriptor_rest, position_rest, limit;
+  DistanceVector least;
 };
 
 HWY_INLINE Probe probe_of(const ScreenRegion& region, bool exact) {
@@ -92,53 +96,64 @@ HWY_INLINE Probe probe_of(const ScreenRegion& region, bool exact) {
           hn::Set(d, region.descriptor_rest),
           hn::Set(d, region.position_rest),
           hn::Set(d, region.position_limits[exact ? 0 : 1]),
-          hn::Set(d, INT16_MAX)};
+          hn::Set(Distances(), no_distance)};
 }
 
-// Distance codes from half the squared distances in code steps: rounded down, less the codes' errors.
-HWY_INLINE void store_distances(PairVector half_squared, const ScreenRegion& region, float scale,
+// Distance codes from the squared distances in code steps: rounded down, less the codes' errors.
+HWY_INLINE void store_distances(DistanceVector squared, const ScreenRegion& region, float scale,
                                 std::uint8_t* out) {
   const hn::RepartitionToWide<Pairs> d32;
   const hn::Repartition<float, Pairs> df;
   const hn::Rebind<std::uint8_t, decltype(d32)> d8;
-  const hn::Half<Pairs> half;
+  const hn::Half<Distances> half;
   const auto convert = [&](auto numbers, std::uint8_t* to) HWY_ATTR {
-    const auto squared = hn::Max(hn::ConvertTo(df, hn::PromoteTo(d32, numbers)), hn::Zero(df));
-    const auto steps = hn::Sqrt(hn::Add(squared, squared));
+    const auto steps = hn::Sqrt(hn::ConvertTo(df, hn::PromoteTo(d32, numbers)));
     const auto codes = hn::Sub(hn::Mul(steps, hn::Set(df, scale)), hn::Set(df, region.error));
-    const auto within = hn::Min(hn::Max(codes, hn::Zero(df)), hn::Set(df, 255.0F));
-    hn::StoreU(hn::DemoteTo(d8, hn::ConvertTo(d32, within)), d8, to);
+    hn::StoreU(hn::DemoteTo(d8, hn::ConvertTo(d32, codes)), d8, to);  // saturates
   };
-  convert(hn::LowerHalf(half, half_squared), out);
-  convert(hn::UpperHalf(half, half_squared), out + hn::Lanes(d32));
+  convert(hn::LowerHalf(half, squared), out);
+  convert(hn::UpperHalf(half, squared), out + hn::Lanes(d32));
 }
 
-// The least bounds over all slots, a distance code for each image, for two regions of the query at a time (so
-// that each candidate is loaded once for both).
-HWY_INLINE void least_bounds(const Block& block, const ScreenRegion& first, const ScreenRegion& second,
-                             const std::int16_t* half, float scale, bool exact, std::size_t lane,
-                             std::uint8_t* out) {
-  const Pairs d;
-  Probe a = probe_of(first, exact);
-  Probe b = probe_of(second, exact);
-  const PairVector none = hn::Set(d, INT16_MAX);
+// Slots that may be within reach of two regions of the query.
+struct Slots {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+HWY_INLINE Slots slots_within_reach(const Block& block, std::size_t group, const ScreenRegion& first,
+                                    const ScreenRegion& second) {
   const std::uint8_t first_column = std::min(first.first_column, second.first_column);
   const std::uint8_t last_column = std::max(first.last_column, second.last_column);
-  for (std::size_t slot = 0; slot < block.slots(); ++slot) {
-    if (block.columns[slot].last < first_column || block.columns[slot].first > last_column) continue;
+  Slots slots{0, block.slots()};
+  while (slots.begin < slots.end && block.columns[slots.begin][group].last < first_column) ++slots.begin;
+  while (slots.begin < slots.end && block.columns[slots.end - 1][group].first > last_column) --slots.end;
+  return slots;
+}
+
+// The least bounds over the slots, a distance code for each image, for two regions of the query at a time (so
+// that each candidate is loaded once for both).
+HWY_INLINE void least_bounds(const Block& block, const Slots& slots, const ScreenRegion& first,
+                             const ScreenRegion& second, const std::int16_t* squares, float scale, bool exact,
+                             std::size_t lane, std::uint8_t* out) {
+  const Pairs d;
+  const Distances du;
+  Probe a = probe_of(first, exact);
+  Probe b = probe_of(second, exact);
+  for (std::size_t slot = slots.begin; slot < slots.end; ++slot) {
     const auto* row = reinterpret_cast<const std::int16_t*>(block.codes.data() + slot * Block::slot_bytes);
     const PairVector c0 = hn::LoadU(d, row + lane);
     const PairVector c1 = hn::LoadU(d, row + block_images + lane);
     const PairVector c2 = hn::LoadU(d, row + 2 * block_images + lane);
     const PairVector c3 = hn::LoadU(d, row + 3 * block_images + lane);
-    const PairVector descriptor = hn::LoadU(d, half + 2 * slot * block_images + lane);
-    const PairVector position = hn::LoadU(d, half + (2 * slot + 1) * block_images + lane);
+    const PairVector descriptor = hn::LoadU(d, squares + 2 * slot * block_images + lane);
+    const PairVector position = hn::LoadU(d, squares + (2 * slot + 1) * block_images + lane);
     const auto improve = [&](Probe& probe) HWY_ATTR {
-      // Sums wrap around on the way; where the end of them does, the bound is negative and counts as 0.
       const auto distance = hn::Add(hn::Add(hn::Add(descriptor, probe.descriptor_rest), dot(c0, probe.q0)),
                                     hn::Add(dot(c1, probe.q1), dot(c2, probe.q2)));
       const auto offset = hn::Add(hn::Add(position, probe.position_rest), dot(c3, probe.q3));
-      probe.least = hn::Min(probe.least, hn::IfThenElse(hn::Lt(offset, probe.limit), distance, none));
+      const auto admissible = hn::RebindMask(du, hn::Lt(offset, probe.limit));
+      const auto less = hn::Min(probe.least, hn::BitCast(du, distance));
+      probe.least = hn::IfThenElse(admissible, less, probe.least);
     };
     improve(a);
     improve(b);
@@ -189,14 +204,19 @@ Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* work)
   const Bytes d;
   const std::size_t regions = query.regions.size();
   std::uint8_t* bounds = work;
-  auto* half = reinterpret_cast<std::int16_t*>(work + (regions + 1) * block_images);
-  half_squares(block, query.position_zeros, half);
+  auto* squares = reinterpret_cast<std::int16_t*>(work + (regions + 1) * block_images);
+  candidate_squares(block, squares);
   const bool exact = query.exact_positions && block.exact_positions;
-  for (std::size_t i = 0; i < regions; i += 2) {
-    const ScreenRegion& second = query.regions[std::min(i + 1, regions - 1)];
-    for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(Pairs())) {
-      least_bounds(block, query.regions[i], second, half, query.scale, exact, lane,
-                   bounds + i * block_images + lane);
+  for (std::size_t group = 0; group < block_groups; ++group) {
+    for (std::size_t i = 0; i < regions; i += 2) {
+      const ScreenRegion& first = query.regions[i];
+      const ScreenRegion& second = query.regions[std::min(i + 1, regions - 1)];
+      const Slots slots = slots_within_reach(block, group, first, second);
+      const std::size_t end = (group + 1) * group_images;
+      for (std::size_t lane = group * group_images; lane < end; lane += hn::Lanes(Pairs())) {
+        least_bounds(block, slots, first, second, squares, query.scale, exact, lane,
+                     bounds + i * block_images + lane);
+      }
     }
   }
   Passing passing{};

@@ -6,6 +6,7 @@
 #include <hwy/targets.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <random>
 
@@ -94,6 +95,49 @@ TEST(IndexKernels, ScreeningNeverLosesAnImage) {
   EXPECT_GT(spared, 10000);  // or screening would be for nothing
 }
 
+Signature image_with_region(int width, int height, double x, double y) {
+  Region region;
+  region.x = static_cast<std::int16_t>(std::clamp(x, 0.0, width - 1.0));
+  region.y = static_cast<std::int16_t>(std::clamp(y, 0.0, height - 1.0));
+  return {width, height, {region}};
+}
+
+TEST(IndexKernels, ScreeningFindsAdmissiblePositionsInImagesOfAnySize) {
+  // Corners and borders of images of all sizes, where sixteen bits are nearly too few, and any place between.
+  constexpr std::array<std::array<int, 2>, 7> sizes = {
+      {{640, 480}, {960, 540}, {1016, 1016}, {1920, 1080}, {64, 4000}, {7, 5}, {32767, 32767}}};
+  for_each_target([&] {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> anywhere(-0.3, 1.3);
+    for (const auto& [width, height] : sizes) {
+      SCOPED_TRACE(width);
+      for (int i = 0; i < 300; ++i) {
+        const Signature query =
+            image_with_region(width, height, anywhere(random) * width, anywhere(random) * height);
+        const Region& from = query.regions.front();
+        MatchConfig config;
+        if (i % 4 == 0) config.search_radius = 2;
+        const double reach = std::min(1.0, config.search_radius) * std::hypot(width, height);
+        Block block;
+        std::vector<Signature> images;
+        for (std::size_t lane = 0; lane < block_images; ++lane) {
+          images.push_back(image_with_region(width, height, from.x + reach * (2 * anywhere(random) - 1),
+                                             from.y + reach * (2 * anywhere(random) - 1)));
+          block.add(lane, images.back());
+        }
+        ScreenQuery screen(query, config);
+        screen.set_threshold(1);
+        const std::uint64_t passing = screen.passing(block).front();
+        ASSERT_EQ(passing, plain::screen(block, screen, nullptr).front());
+        for (std::size_t lane = 0; lane < block_images; ++lane) {
+          const bool matches = match(query, images[lane], config).similarity > 0;
+          ASSERT_TRUE(!matches || ((passing >> lane) & 1U) != 0) << from.x << ' ' << from.y;
+        }
+      }
+    }
+  });
+}
+
 TEST(IndexKernels, AllInstructionSetsEstimateTheSimilarity) {
   for_each_target([] {
     int estimated = 0;
@@ -150,12 +194,43 @@ TEST(RegionCode, StandsForWhatItsErrorSays) {
       largest = std::max(largest, std::sqrt(squared));
       EXPECT_NEAR(code_error(region.descriptor, code), std::sqrt(squared), 1e-9);
       EXPECT_TRUE(is_exact(region, grid));
-      EXPECT_EQ(grid.middle[0] + 4 * (code[directions] - grid.zeros[0]), region.x);
-      EXPECT_EQ(grid.middle[1] + 4 * (code[directions + 1] - grid.zeros[1]), region.y);
+      EXPECT_EQ(4 * code[directions], region.x);
+      EXPECT_EQ(4 * code[directions + 1], region.y);
     }
   }
   EXPECT_LE(largest, largest_code_error);
   EXPECT_GT(largest, 0.7 * largest_code_error);
+}
+
+TEST(RegionCode, PositionsAreExactInImagesOfAThousandColumns) {
+  const PositionGrid grid(960, 540);
+  EXPECT_EQ(grid.step, 4);
+  for (std::int16_t x = 0; x < 960; x += 4) {
+    Region region;
+    region.x = x;
+    region.y = static_cast<std::int16_t>(x * 9 / 64 * 4);
+    EXPECT_TRUE(is_exact(region, grid)) << x;
+  }
+  EXPECT_GT(PositionGrid(1920, 1080).step, 4);
+}
+
+TEST(RegionCode, CodesOfTheQueryStandForWhatTheirErrorsSay) {
+  sailmap::testing::SimulatedWay way(6);
+  double largest = 0;
+  for (int i = 0; i < 200; ++i) {
+    for (const Region& region : way.next().regions) {
+      const QueryCode code = encode_query(region.descriptor);
+      const Projection p = project(region.descriptor);
+      double squared = 0;
+      for (std::size_t k = 0; k < directions; ++k) {
+        const double error = p[k] - step / 2 * code[k];
+        squared += error * error;
+      }
+      EXPECT_NEAR(code_error(region.descriptor, code), std::sqrt(squared), 1e-9);
+      largest = std::max(largest, std::sqrt(squared));
+    }
+  }
+  EXPECT_LE(largest, largest_code_error / 2 + 1e-9);  // unless at the very end of the codes
 }
 
 TEST(RegionCode, ProjectionsAreNoFurtherApartThanDescriptors) {
