@@ -120,30 +120,38 @@ static_assert(alike<formats::intensity_contrast, formats::intensity_partial, for
 
 // --- Section 7 ---
 
-// floor(sqrt(value)), value below 2^62.
+// floor(sqrt(value)), value below 2^62: two bits of the value and one of the root a turn, so that what is
+// compared is no wider than the root.
 constexpr std::uint32_t isqrt(std::uint64_t value) {
-  std::uint64_t root = 0;
-  for (std::uint64_t bit = std::uint64_t{1} << 60; bit != 0; bit >>= 2) {
-    if (value >= root + bit) {
-      value -= root + bit;
-      root = (root >> 1) + bit;
-    } else {
-      root >>= 1;
+  std::uint64_t rest = 0;
+  std::uint32_t root = 0;
+#pragma nounroll
+  for (int i = 0; i < 31; ++i) {
+    rest = ((rest << 2) | (value >> 60 & 3U)) & ((std::uint64_t{1} << 34) - 1);
+    value <<= 2;
+    const std::uint64_t odd = (std::uint64_t{root} << 2) | 1U;
+    root <<= 1;
+    if (rest >= odd) {
+      rest -= odd;
+      root |= 1U;
     }
   }
-  return static_cast<std::uint32_t>(root);
+  return root;
 }
 
 // floor(2^48 / divisor) for a divisor in [2^32, 2^34], at most 2^16 - 1: bit by bit, a bit of quotient a
-// turn.
+// turn. The masks lose nothing: they tell a tool how wide its registers need be.
 constexpr std::uint32_t reciprocal(std::uint64_t divisor) {
+  constexpr std::uint64_t bits = (std::uint64_t{1} << 36) - 1;
+  const std::uint64_t by = divisor & bits;
   std::uint32_t quotient = 0;
   std::uint64_t rest = std::uint64_t{1} << 31;
+#pragma nounroll
   for (int i = 0; i < 17; ++i) {
-    rest <<= 1;
+    rest = (rest << 1) & bits;
     quotient <<= 1;
-    if (rest >= divisor) {
-      rest -= divisor;
+    if (rest >= by) {
+      rest -= by;
       quotient |= 1U;
     }
   }
@@ -156,24 +164,40 @@ struct Gain {
   int shift;               // 0 to 24
 };
 
-// The place of the leading one of a value that is not 0.
-constexpr int leading_bit(std::uint32_t value) {
-  int place = 0;
-  for (int i = 1; i < 32; ++i) place = (value >> i) != 0 ? i : place;
-  return place;
+// `maximum`: raw, 1 to 65535; `maxima`: 1 to 2^18 (local maxima are never adjacent). Both are 0 for a flat
+// zero map. Shifts go a step a turn: there is time for it once a frame, and a shift by any number of bits
+// would be as much logic as all the rest.
+
+// The maximum in [2^15, 2^16).
+constexpr std::uint32_t scaled_maximum(std::uint32_t maximum) {
+  std::uint32_t scaled = maximum & 0xffffU;
+#pragma nounroll
+  for (int i = 0; i < 15; ++i) scaled = (scaled >> 15) == 0 ? scaled << 1 : scaled;
+  return scaled;
+}
+// The root of the maxima as in formats::square_root, [2^17, 2^18): they are taken times a power of 4, in
+// [2^34, 2^36).
+constexpr std::uint32_t scaled_root(std::uint32_t maxima) {
+  std::uint64_t scaled = std::uint64_t{maxima} << 16;
+#pragma nounroll
+  for (int i = 0; i < 9; ++i) scaled = (scaled >> 34) == 0 ? scaled << 2 : scaled;
+  return isqrt(scaled);
 }
 
-// `maximum`: raw, 1 to 65535; `maxima`: 1 to 2^18 (local maxima are never adjacent). Both are 0 for a flat
-// zero map. In two functions that return numbers: a structure that Bambu does not inline is in a memory.
+// In two functions that return numbers: a structure that Bambu does not inline is in a memory.
 constexpr std::uint32_t gain_mantissa(std::uint32_t maximum, std::uint32_t maxima) {
-  const int root_place = leading_bit(maxima) / 2;  // of sqrt(maxima)
-  // maxima * 2^(34 - 2 root_place) is in [2^34, 2^36), its root in [2^17, 2^18): formats::square_root.
-  const std::uint64_t root = isqrt(static_cast<std::uint64_t>(maxima) << (34 - 2 * root_place));
-  const std::uint64_t scaled = static_cast<std::uint64_t>(maximum) << (15 - leading_bit(maximum));
-  return maximum == 0 ? 0 : reciprocal(scaled * root);
+  return maximum == 0 ? 0 : reciprocal(std::uint64_t{scaled_maximum(maximum)} * scaled_root(maxima));
 }
+// The places of the leading ones of the maximum and of the root.
 constexpr int gain_shift(std::uint32_t maximum, std::uint32_t maxima) {
-  return maximum == 0 ? 0 : leading_bit(maximum) + leading_bit(maxima) / 2;
+  int shift = 0;
+#pragma nounroll
+  for (int i = 0; i < 15; ++i) {
+    maximum >>= 1;
+    maxima >>= i < 9 ? 2 : 0;
+    shift += (maximum != 0 ? 1 : 0) + (i < 9 && maxima != 0 ? 1 : 0);
+  }
+  return shift;
 }
 constexpr Gain gain(std::uint32_t maximum, std::uint32_t maxima) {
   return Gain{gain_mantissa(maximum, maxima), gain_shift(maximum, maxima)};
