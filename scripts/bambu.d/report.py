@@ -1,12 +1,15 @@
-"""The table of docs/fpga.md, from the results of each top."""
+"""The tables of docs/fpga.md, from the results of each top."""
 
 import json
+import re
 from pathlib import Path
 
 from job import ROOT, Fault
 
 DOCUMENT = ROOT / "docs" / "fpga.md"
-BEGIN, END = "<!-- bambu: begin -->", "<!-- bambu: end -->"
+KERNELS = ("<!-- bambu: begin -->", "<!-- bambu: end -->")
+PARTS = ("<!-- bambu parts: begin -->", "<!-- bambu parts: end -->")
+WHOLE = "sailmap_front_end-8"
 
 
 def save(job, result):
@@ -28,21 +31,28 @@ def row(result):
     return " | ".join([f"| {result['what']}", *cycles, *cells]) + " |"
 
 
-# Stages of the front end with 8 pixels a beat that are instances of each kernel, on the kernel's level or a coarser one.
-INSTANCES = {"sailmap_channels": 2, "sailmap_reduce_lanes": 10, "sailmap_reduce_pixels": 2, "sailmap_delay_line": 7,
-             "sailmap_centre_surround": 3, "sailmap_orientation": 3, "sailmap_across_scales": 10,
-             "sailmap_local_maxima": 7, "sailmap_join_pairs": 3, "sailmap_store": 4, "sailmap_gains": 4,
-             "sailmap_normalise": 4}
+# A stage's mangled name begins so: ...hls<length><function>.
+FUNCTION = re.compile(r"_*ZN7sailmap3hls(\d+)(\w+)")
 
 
-def together(results):
-    """The kernels as often as the front end has them, which is more than its smaller instances need."""
-    area = {}
-    for family in ("xc7", "ecp5"):
-        counted = [(result["area"].get(family), INSTANCES[name]) for name, result in results.items() if name in INSTANCES]
-        if len(counted) == len(INSTANCES) and all(one for one, _ in counted):
-            area[family] = {kind: sum(one[kind] * times for one, times in counted) for kind in counted[0][0]}
-    return {"what": "all kernels as often as the front end has them", "area": area}
+def kernel(stage):
+    """The function that a stage is an instance of; other parts have their own name."""
+    match = FUNCTION.fullmatch(stage)
+    return match[2][:int(match[1])] if match else stage
+
+
+def parts_table(parts):
+    """Markdown: the area of a region by kernel, the largest first."""
+    kinds = ("lut", "ff", "bram", "dsp")
+    groups = {}
+    for stage, area in parts.items():
+        groups.setdefault(kernel(stage), []).append(area)
+    totals = {name: [len(areas), *(sum(area[kind] for area in areas) for kind in kinds)]
+              for name, areas in groups.items()}
+    lines = ["| kernel | stages | LUT | FF | BRAM36 | DSP |", "|---|" + "---:|" * 5]
+    lines += [f"| {name} | " + " | ".join(f"{value:g}" if value < 1000 else f"{value:.0f}" for value in values) + " |"
+              for name, values in sorted(totals.items(), key=lambda item: -item[1][1])]
+    return "\n".join(lines)
 
 
 def table(results):
@@ -50,17 +60,24 @@ def table(results):
     lines = ["| top | cycles a VGA frame | a pixel | LUT | FF | BRAM36 | DSP | ECP5 LUT4 | FF | EBR | MULT18 |",
              "|---|" + "---:|" * 10]
     rows = sorted(results.values(), key=lambda result: result["order"])
-    return "\n".join(lines + [row(result) for result in [*rows, together(results)] if result["area"]])
+    return "\n".join(lines + [row(result) for result in rows])
+
+
+def put(text, marks, table_text):
+    """The text with a table between two marks."""
+    begin, end = marks
+    if begin not in text or end not in text:
+        raise Fault(f"{DOCUMENT}: no {begin} ... {end}")
+    head, rest = text.split(begin, 1)
+    return f"{head}{begin}\n{table_text}\n{end}{rest.split(end, 1)[1]}"
 
 
 def write(folder):
-    """Puts the table between the marks of docs/fpga.md."""
+    """Puts the tables between the marks of docs/fpga.md."""
     results = {name: result for name, result in loaded(folder).items() if "area" in result}
     if not results:
         raise Fault(f"{folder}: no results with an area")
-    text = DOCUMENT.read_text(encoding="utf-8")
-    if BEGIN not in text or END not in text:
-        raise Fault(f"{DOCUMENT}: no {BEGIN} ... {END}")
-    head, rest = text.split(BEGIN, 1)
-    tail = rest.split(END, 1)[1]
-    DOCUMENT.write_text(f"{head}{BEGIN}\n{table(results)}\n{END}{tail}", encoding="utf-8")
+    text = put(DOCUMENT.read_text(encoding="utf-8"), KERNELS, table(results))
+    if WHOLE in results:
+        text = put(text, PARTS, parts_table(results[WHOLE]["parts"]["xc7"]))
+    DOCUMENT.write_text(text, encoding="utf-8")
