@@ -78,6 +78,7 @@ struct MemoryRegion<Config, 1, false> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_pixels_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_1.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -90,6 +91,7 @@ struct MemoryRegion<Config, 1, true> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_pixels_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_1.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -102,6 +104,7 @@ struct MemoryRegion<Config, 2, false> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_pixels_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_2.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -114,6 +117,7 @@ struct MemoryRegion<Config, 2, true> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_pixels_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_2.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -126,6 +130,7 @@ struct MemoryRegion<Config, 4, false> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_pixels_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_4.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -138,6 +143,7 @@ struct MemoryRegion<Config, 4, true> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_pixels_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_4.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -150,6 +156,7 @@ struct MemoryRegion<Config, 8, false> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_pixels_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_8.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -162,6 +169,7 @@ struct MemoryRegion<Config, 8, true> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_pixels_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_8.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
