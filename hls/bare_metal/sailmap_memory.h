@@ -4,6 +4,8 @@
 
 #include <stdint.h>
 
+#include "sailmap_registers.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -21,12 +23,10 @@ struct sailmap_buffers {
   uint64_t report;
 };
 
-/* Starts a frame; 0 x 0 asks for the report alone. The kernel must be idle. */
+/* Starts a frame, which sailmap_wait (sailmap_registers.h) waits for; 0 x 0 asks for the report alone. The
+ * kernel must be idle. */
 void sailmap_start(volatile uint32_t* registers, const struct sailmap_buffers* buffers, uint32_t width,
                    uint32_t height, uint32_t frame);
-
-/* Looks at most `polls` times whether the frame is done; 0 when it is, -1 when it is not. */
-int sailmap_wait(volatile uint32_t* registers, unsigned long polls);
 
 #ifdef __cplusplus
 }

@@ -5,15 +5,13 @@
 #include <cstdint>
 
 #include "configuration.hpp"
+#include "memory_pixels.hpp"
 #include "sailmap/hls/memory_front_end.hpp"
-
-using sailmap_memory_beat = sailmap::hls::memory_beat<sailmap::top::Config::beat>;
 
 namespace sailmap {
 namespace top {
 
 // Words of the largest frame: what co-simulation gives the ports.
-constexpr int frame_beats = Config::max_width / Config::beat * Config::max_height;
 constexpr int map_words =
     hls::geometry::base_side(Config::max_width) * hls::geometry::base_side(Config::max_height);
 

@@ -6,7 +6,7 @@
 using namespace sailmap::hls;
 
 #include "front_end_region.inc"  // the front end's streams
-#include "sailmap/hls/region/0_signature_maps.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 
 void sailmap_signature_front_end(sailmap::hls::stream<sailmap_pixels>& red,
                                  sailmap::hls::stream<sailmap_pixels>& green,

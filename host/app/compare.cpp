@@ -159,8 +159,8 @@ Totals compare_images(ImageSource& source, const Options& options, TopologicalMa
   while (options.max_images == 0 || totals.images < options.max_images) {
     std::optional<Frame> frame = source.next();
     if (!frame) break;
-    DescribedImage a = describe_image(frame->name, frame->image, *tested, options.config.regions);
-    DescribedImage b = describe_image(frame->name, frame->image, *expected, options.config.regions);
+    DescribedImage a = describe_with_maps(frame->name, frame->image, *tested, options.config.regions);
+    DescribedImage b = describe_with_maps(frame->name, frame->image, *expected, options.config.regions);
     const ImageDifference difference = compare_maps(a.maps, b.maps, options.config.regions);
     add(totals, difference);
     tested_map.add(frame->name, a.signature);

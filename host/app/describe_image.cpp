@@ -8,16 +8,26 @@
 
 namespace sailmap::app {
 
-void describe_into(const std::string& name, cv::Mat image, Frontend& frontend, const RegionConfig& regions,
-                   DescribedImage& out) {
-  out.image = std::move(image);
+namespace {
+
+// Names the image in whatever goes wrong with it.
+template <class Work>
+void with_name(const std::string& name, Work work) {
   try {
-    frontend.describe(view_of(out.image), regions, out.maps, out.signature);
+    work();
   } catch (const DeviceError&) {
     throw;  // no fault of the image
   } catch (const Error& fault) {
     throw Error(name + ": " + fault.what());
   }
+}
+
+}  // namespace
+
+void describe_into(const std::string& name, cv::Mat image, Frontend& frontend, const RegionConfig& regions,
+                   DescribedImage& out) {
+  out.image = std::move(image);
+  with_name(name, [&] { frontend.describe(view_of(out.image), regions, out.maps, out.signature); });
 }
 
 DescribedImage describe_image(const std::string& name, cv::Mat image, Frontend& frontend,
@@ -29,6 +39,13 @@ DescribedImage describe_image(const std::string& name, cv::Mat image, Frontend& 
 
 DescribedImage describe_image(const std::string& path, Frontend& frontend, const RegionConfig& regions) {
   return describe_image(path, read_image(path), frontend, regions);
+}
+
+DescribedImage describe_with_maps(const std::string& name, cv::Mat image, Frontend& frontend,
+                                  const RegionConfig& regions) {
+  DescribedImage out = describe_image(name, std::move(image), frontend, regions);
+  if (out.maps.empty()) with_name(name, [&] { frontend.compute(view_of(out.image), out.maps); });
+  return out;
 }
 
 }  // namespace sailmap::app

@@ -23,5 +23,8 @@ void describe_into(const std::string& name, cv::Mat image, Frontend& frontend, c
 DescribedImage describe_image(const std::string& name, cv::Mat image, Frontend& frontend,
                               const RegionConfig& regions);
 DescribedImage describe_image(const std::string& path, Frontend& frontend, const RegionConfig& regions);
+// With its maps, which the front end is asked for once more where its signature comes without.
+DescribedImage describe_with_maps(const std::string& name, cv::Mat image, Frontend& frontend,
+                                  const RegionConfig& regions);
 
 }  // namespace sailmap::app

@@ -17,6 +17,7 @@
 #include "sailmap/figures.hpp"
 #include "sailmap/file.hpp"
 #include "sailmap/frontend.hpp"
+#include "sailmap/image_source.hpp"
 #include "sailmap/npy.hpp"
 #include "sailmap/number_format.hpp"
 #include "sailmap/signature.hpp"
@@ -106,7 +107,7 @@ void save_regions(const ordered_json& json, const fs::path& path) {
 }
 
 void detect_one(const std::string& path, const fs::path& folder, Frontend& frontend, const Options& options) {
-  const DescribedImage d = describe_image(path, frontend, options.regions);
+  const DescribedImage d = describe_with_maps(path, read_image(path), frontend, options.regions);
   make_folder(folder);
   if (options.save_maps) save_maps(d.maps, folder);
   write_image(folder / "figure.png",

@@ -56,7 +56,9 @@ void add_xrt_options(CLI::App& command, const std::string& frontend) {
     int timeout = static_cast<int>(XrtSettings{}.timeout.count());
   };
   const auto options = std::make_shared<Options>();
-  command.add_option("--xclbin", options->settings.xclbin, "What the card is to be: file with the kernel")
+  command
+      .add_option("--xclbin", options->settings.xclbin,
+                  "What the card is to be: file with the kernel, for maps, signatures or both")
       ->type_name("FILE")
       ->group(xrt_group);
   command.add_option("--device", options->settings.device, "Which card, by XRT's number")
@@ -124,10 +126,11 @@ OptionKeys add_region_options(CLI::App& command, RegionConfig& config) {
   keys["/regions/descriptor"] =
       add_choice(command, "--descriptor", config.descriptor, "Descriptor: eq. 3-4 or eq. 5 of the paper",
                  {DescriptorKind::conspicuity, DescriptorKind::background});
-  keys["/regions/signature"] =
-      add_choice(command, "--signature", config.signature,
-                 "Who makes the signature: host, in floating point, or chip, as the signature kernel does",
-                 {SignatureMaker::host, SignatureMaker::chip});
+  keys["/regions/signature"] = add_choice(
+      command, "--signature", config.signature,
+      "Who makes the signature: host, in floating point, or chip, as the signature kernel does, or that "
+      "kernel itself on a card that has it",
+      {SignatureMaker::host, SignatureMaker::chip});
   for (const auto& [key, option] : keys) option->group(regions_group);
   for (const char* key :
        {"/regions/max_regions", "/regions/stop_ratio", "/regions/box_side", "/regions/inhibition_radius"}) {

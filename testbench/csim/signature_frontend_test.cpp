@@ -131,12 +131,13 @@ TEST(SignatureRecord, ADamagedOneIsRefused) {
   const csim::Frame frame = patches_frame(96, 80, random);
   const std::vector<std::uint32_t> good =
       expected_record(ref::compute<ref::Quantised>(view(frame)), 96, 80, ref::RegionParameters{});
-  EXPECT_TRUE(signature_of_record(good, 96, 80) == expected_of(frame, on_chip()));
-  const auto fault = [&good](std::size_t word, std::uint32_t value) -> std::string {
+  const ChipParameters asked = {20, 1U << 14, 10};
+  EXPECT_TRUE(signature_of_record(good, 96, 80, asked) == expected_of(frame, on_chip()));
+  const auto fault = [&](std::size_t word, std::uint32_t value) -> std::string {
     std::vector<std::uint32_t> record = good;
     record[word] = value;
     try {
-      signature_of_record(record, 96, 80);
+      signature_of_record(record, 96, 80, asked);
     } catch (const Error& error) {
       return error.what();
     }
@@ -145,8 +146,11 @@ TEST(SignatureRecord, ADamagedOneIsRefused) {
   EXPECT_THAT(fault(0, 0x534d0002), HasSubstr("first word"));
   EXPECT_THAT(fault(1, 64 + 65536 * 64), HasSubstr("frame of 64x64"));
   EXPECT_THAT(fault(2, 21), HasSubstr("21 regions"));
+  for (const std::size_t parameter : {3U, 4U, 5U}) {
+    EXPECT_THAT(fault(parameter, good[parameter] - 1), HasSubstr("other parameters")) << parameter;
+  }
   EXPECT_THAT(fault(8, 96), HasSubstr("region 0 lies outside"));
-  EXPECT_THROW(signature_of_record(std::vector<std::uint32_t>(247), 96, 80), Error);
+  EXPECT_THROW(signature_of_record(std::vector<std::uint32_t>(247), 96, 80, asked), Error);
 }
 
 }  // namespace

@@ -9,47 +9,26 @@
 
 #include "expected_signature.hpp"
 #include "frames.hpp"
-#include "sailmap/csim/front_end.hpp"
-#include "sailmap/hls/signature_front_end.hpp"
+#include "sailmap/csim/signature_front_end.hpp"
 #include "sailmap/hls/throughput.hpp"
 
 namespace sailmap::testing {
 namespace {
 
-// The records of frames back to back, at FIFOs of depth 2.
+using Records = std::vector<std::vector<std::uint32_t>>;
+
+// At FIFOs of depth 2.
 template <class Config>
-std::vector<std::uint32_t> through_network(std::span<const csim::Frame> frames) {
-  using Word = hls::bytes_t<Config::beat>;
+Records through_network(std::span<const csim::Frame> frames) {
   csim::Scheduler scheduler(2);
-  csim::Stream<Word> red("red");
-  csim::Stream<Word> green("green");
-  csim::Stream<Word> blue("blue");
-  csim::Stream<std::uint32_t> record("record");
-  const auto feed = [&](csim::Stream<Word>& stream, std::size_t component) {
-    scheduler.launch("source of " + stream.name(), {&stream}, [frames, &stream, component] {
-      for (const csim::Frame& frame : frames) csim::write_component<Config::beat>(stream, frame, component);
-    });
-  };
-  feed(red, 0);
-  feed(green, 1);
-  feed(blue, 2);
-  for (const csim::Frame& frame : frames) {
-    hls::SignatureFrontEnd<Config>::run(red, green, blue, record, static_cast<std::uint16_t>(frame.width),
-                                        static_cast<std::uint16_t>(frame.height), 20, 1U << 14, 10);
-  }
-  std::vector<std::uint32_t> words;
-  scheduler.launch("sink of record", {&record},
-                   [&] { csim::read_words(record, 248 * frames.size(), words); });
-  scheduler.run();
-  return words;
+  return csim::run_signature_front_end<Config>(frames, {20, 1U << 14, 10}, scheduler);
 }
 
-std::vector<std::uint32_t> expected_of(std::span<const csim::Frame> frames) {
-  std::vector<std::uint32_t> records;
+Records expected_of(std::span<const csim::Frame> frames) {
+  Records records;
   for (const csim::Frame& frame : frames) {
-    const auto record = expected_record(ref::compute<ref::Quantised>(view(frame)), frame.width, frame.height,
-                                        ref::RegionParameters{});
-    records.insert(records.end(), record.begin(), record.end());
+    records.push_back(expected_record(ref::compute<ref::Quantised>(view(frame)), frame.width, frame.height,
+                                      ref::RegionParameters{}));
   }
   return records;
 }
@@ -60,7 +39,7 @@ TEST(SignatureNetwork, EveryBeatAndBufferGivesTheReferencesRecords) {
   std::mt19937 random(seed);
   const std::vector<csim::Frame> frames = {patches_frame(160, 120, random), noise_frame(96, 65, random),
                                            constant_frame(64, 64, 9, 9, 9), patches_frame(104, 128, random)};
-  const std::vector<std::uint32_t> want = expected_of(frames);
+  const Records want = expected_of(frames);
   EXPECT_EQ((through_network<hls::Config<160, 128, 1>>(frames)), want);
   EXPECT_EQ((through_network<hls::Config<160, 128, 2>>(frames)), want);
   EXPECT_EQ((through_network<hls::Config<160, 128, 4>>(frames)), want);

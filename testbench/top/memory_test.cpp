@@ -5,31 +5,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <random>
 #include <vector>
 
 #include "csim/expected.hpp"
 #include "csim/frames.hpp"
+#include "memory_words.hpp"
 
 namespace sailmap::testing {
 namespace {
-
-using Config = top::Config;
-using Report = std::array<std::uint32_t, SAILMAP_REPORT_WORDS>;
-constexpr std::uint32_t untouched = 0xa5a5a5a5;
-
-std::vector<sailmap_memory_beat> beats_of(const csim::Frame& frame) {
-  std::vector<sailmap_memory_beat> beats(frame.rgb.size() / 3 / Config::beat);
-  for (std::size_t i = 0; i < frame.rgb.size() / 3; ++i) {
-    sailmap_memory_beat& beat = beats[i / Config::beat];
-    for (int bit = 0; bit < 32; ++bit) {
-      const unsigned byte = bit < 24 ? frame.rgb[3 * i + static_cast<std::size_t>(bit / 8)] : 0xc3U;
-      beat.set(32 * static_cast<int>(i % Config::beat) + bit, (byte >> (bit % 8) & 1U) != 0);
-    }
-  }
-  return beats;
-}
 
 // The kernel and memory for its largest frame, one word more a port.
 struct Memory {
@@ -53,14 +37,6 @@ struct Memory {
                    words.statistics.data(), report.data(), width, height, frame);
   }
 };
-
-template <class Word>
-void expect_words(const std::vector<Word>& got, const std::vector<Word>& want) {
-  ASSERT_LT(want.size(), got.size());
-  const auto end = got.begin() + static_cast<std::ptrdiff_t>(want.size());
-  EXPECT_TRUE(std::equal(want.begin(), want.end(), got.begin()));
-  EXPECT_TRUE(std::all_of(end, got.end(), [](Word word) { return word == static_cast<Word>(untouched); }));
-}
 
 TEST(MemoryTop, FrameAfterFrameEqualsTheReference) {
   std::mt19937 random(11);
@@ -86,16 +62,12 @@ TEST(MemoryTop, FrameAfterFrameEqualsTheReference) {
 TEST(MemoryTop, ASizeItDoesNotTakeIsRefusedAndNothingButTheReportWritten) {
   const std::vector<sailmap_memory_beat> pixels(1);
   const Memory before;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sizes = {
-      {0, 0},  {63, 64},          {64, 63},         {Config::max_width + 8, 64}, {64, Config::max_height + 1},
-      {64, 0}, {0x10040U, 0x40U}, {64, 0x80000040U}};
-  if (Config::beat > 1) sizes.emplace_back(64 + Config::beat / 2, 64);
-  for (const auto& [width, height] : sizes) {
+  for (const auto& [width, height] : refused_sizes()) {
     Memory memory;
     memory.run(pixels, width, height, 3);
     EXPECT_TRUE(memory.words == before.words) << width << "x" << height;
     EXPECT_EQ(memory.report[SAILMAP_REPORT_STATUS], 2U);
-    EXPECT_EQ(memory.report[SAILMAP_REPORT_MAP_WORDS], 0U);
+    EXPECT_EQ(memory.report[SAILMAP_REPORT_OUTPUT_WORDS], 0U);
     EXPECT_EQ(memory.report[SAILMAP_REPORT_WIDTH], width);
     EXPECT_EQ(memory.report[SAILMAP_REPORT_HEIGHT], height);
     EXPECT_EQ(memory.report[SAILMAP_REPORT_VERSION], 0x534d0001U);

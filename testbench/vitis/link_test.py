@@ -1,5 +1,5 @@
-"""The kernel sailmap_memory as Vitis links it: its directives against the register map that host and bare metal read,
-the connections of the boards, and how scripts/vitis/link calls the tools."""
+"""The kernels between memory and memory as Vitis links them: their directives against the register map that host and bare
+metal read, the connections of the boards, and how scripts/vitis/link calls the tools."""
 
 import os
 import re
@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -17,9 +18,30 @@ sys.path[:0] = [str(SCRIPTS), str(ROOT / "testbench")]
 import tables  # noqa: E402
 from needs import skip_without  # noqa: E402
 
-MEMORIES = ["pixels", "intensity_maps", "colour_maps", "orientation_maps", "conspicuity_maps", "saliency", "statistics",
-            "report"]
-SCALARS = ["width", "height", "frame"]
+HEADER = ROOT / "hls/include/sailmap/hls/memory_registers.h"
+
+
+@dataclass(frozen=True)
+class Kernel:
+    name: str
+    source: str  # in hls/top; its header has the same name
+    registers: str  # how their names in memory_registers.h begin behind SAILMAP_
+    memories: tuple
+    scalars: tuple
+
+
+MAPS = Kernel("sailmap_memory", "memory.cpp", "",
+              ("pixels", "intensity_maps", "colour_maps", "orientation_maps", "conspicuity_maps", "saliency", "statistics",
+               "report"), ("width", "height", "frame"))
+SIGNATURE = Kernel("sailmap_signature_memory", "signature_memory.cpp", "SIGNATURE_", ("pixels", "record", "report"),
+                   ("width", "height", "frame", "max_regions", "stop_ratio", "box_side"))
+KERNELS = (MAPS, SIGNATURE)
+
+
+def registers_of(kernel):
+    """Offsets by the names of memory_registers.h, without what they begin with."""
+    found = re.findall(r"SAILMAP_(SIGNATURE_)?(\w+) = (0x\w+)", HEADER.read_text())
+    return {name: int(value, 16) for prefix, name, value in found if prefix == kernel.registers and name != "CONTROL"}
 
 
 def link(*arguments, **environment):
@@ -28,93 +50,123 @@ def link(*arguments, **environment):
 
 
 class Directives(unittest.TestCase):
-    def setUp(self):
-        self.source = (ROOT / "hls/top/memory.cpp").read_text()
-
-    def registers(self):
-        text = (ROOT / "hls/include/sailmap/hls/memory_registers.h").read_text()
-        return {name: int(value, 16) for name, value in re.findall(r"SAILMAP_(\w+) = (0x\w+)", text)}
+    def for_kernels(self, check):
+        for kernel in KERNELS:
+            with self.subTest(kernel=kernel.name):
+                check(kernel, (ROOT / "hls/top" / kernel.source).read_text())
 
     def test_registers_are_those_of_the_header(self):
-        found = re.findall(r"mode = s_axilite port = (\w+) offset = (0x\w+)", self.source)
-        self.assertEqual([name for name, _ in found], MEMORIES + SCALARS)
-        registers = self.registers()
+        self.for_kernels(self.check_registers)
+
+    def check_registers(self, kernel, source):
+        found = re.findall(r"mode = s_axilite port = (\w+) offset = (0x\w+)", source)
+        self.assertEqual(tuple(name for name, _ in found), kernel.memories + kernel.scalars)
+        registers = registers_of(kernel)
         for name, offset in found:
             self.assertEqual(int(offset, 16), registers[name.upper()], name)
         # But not where v++ links the kernel, which places them itself.
-        for_kernels = re.sub(r"#ifndef SAILMAP_VITIS_KERNEL\n.*?#endif\n", "", self.source, flags=re.DOTALL)
+        for_kernels = re.sub(r"#ifndef SAILMAP_VITIS_KERNEL\n.*?#endif\n", "", source, flags=re.DOTALL)
         self.assertNotIn("s_axilite", for_kernels)
-        self.assertEqual(for_kernels.count("mode = m_axi"), len(MEMORIES))
-        self.assertIn("mode = s_axilite port = return", self.source)
+        self.assertEqual(for_kernels.count("mode = m_axi"), len(kernel.memories))
+        self.assertIn("mode = s_axilite port = return", source)
         # As Vitis lays them out by itself: an address takes 12 bytes and a scalar 8, from 0x10 on.
         offsets = [int(offset, 16) for _, offset in found]
-        self.assertEqual(offsets, [0x10 + 12 * min(i, 8) + 8 * max(0, i - 8) for i in range(11)])
+        count = len(kernel.memories)
+        self.assertEqual(offsets, [0x10 + 12 * min(i, count) + 8 * max(0, i - count) for i in range(len(found))])
         self.assertEqual(registers["REGISTERS_END"], offsets[-1] + 8)
+        self.assertEqual(len(registers), len(found) + 1)
 
     def test_every_memory_has_a_master_of_its_own(self):
-        found = re.findall(r"mode = m_axi port = (\w+) bundle = (\w+) offset = slave", self.source)
-        self.assertEqual([name for name, _ in found], MEMORIES)
-        self.assertEqual(len({bundle for _, bundle in found}), len(MEMORIES))
+        self.for_kernels(self.check_masters)
+
+    def check_masters(self, kernel, source):
+        found = re.findall(r"mode = m_axi port = (\w+) bundle = (\w+) offset = slave", source)
+        self.assertEqual(tuple(name for name, _ in found), kernel.memories)
+        self.assertEqual(len({bundle for _, bundle in found}), len(kernel.memories))
 
     def test_arguments_are_in_the_order_of_the_host(self):
-        ports = [port.name for port in tables.ports_of(ROOT / "hls/top/memory.hpp", "sailmap_memory")]
-        self.assertEqual(ports, MEMORIES + SCALARS)
-        host = (ROOT / "host/src/frontends/xrt/device.hpp").read_text()
-        names = re.search(r"argument_names = \{([^}]*)\}", host)[1]
-        self.assertEqual(re.findall(r'"(\w+)"', names), ports)
+        host = (ROOT / "host/src/frontends/xrt/kernel_interface.hpp").read_text()
+        names = re.findall(r'"(\w+)"', re.search(r"buffer_names = \{([^}]*)\}", host)[1])
+        kinds = re.findall(r"\w+", re.search(r"enum class Buffer \{([^}]*)\}", host)[1])
+        self.assertEqual(names, kinds)
+        scalars = re.findall(r'"(\w+)"', re.search(r"scalar_names = \{([^}]*)\}", host)[1])
+        for kernel, words in ((MAPS, "maps"), (SIGNATURE, "signature")):
+            with self.subTest(kernel=kernel.name):
+                ports = tables.ports_of((ROOT / "hls/top" / kernel.source).with_suffix(".hpp"), kernel.name)
+                self.assertEqual(tuple(port.name for port in ports), kernel.memories + kernel.scalars)
+                buffers = re.search(rf"{words}_buffers = \{{([^}}]*)\}}", host)[1]
+                self.assertEqual(tuple(re.findall(r"Buffer::(\w+)", buffers)), kernel.memories)
+                count = int(re.search(rf"{words}_scalars = (\d+)", host)[1])
+                self.assertEqual(tuple(scalars[:count]), kernel.scalars)
 
 
 class Document(unittest.TestCase):
     def setUp(self):
         self.text = (ROOT / "docs/fpga.md").read_text()
 
-    def test_the_register_map_is_the_headers(self):
-        table = self.text.split("| offset | | offset | |")[1].split("\n\n")[0]
-        found = {}
-        for row in table.splitlines()[2:]:
-            cells = [cell.strip() for cell in row.strip("|").split("|")]
-            for offset, what in (cells[:2], cells[2:]):
-                found[re.search(r"`(\w+)`|^(control)", what).group(1) or "control"] = int(offset, 16)
-        header = (ROOT / "hls/include/sailmap/hls/memory_registers.h").read_text()
-        registers = {name.lower(): int(value, 16) for name, value in re.findall(r"SAILMAP_(\w+) = (0x\w+)", header)}
-        registers.pop("registers_end")
-        self.assertEqual(found, registers)
+    def test_the_register_maps_are_the_headers(self):
+        documents = self.text.split("| offset | | offset | |")[1:]
+        self.assertEqual(len(documents), len(KERNELS))
+        for kernel, text in zip(KERNELS, documents):
+            found = {}
+            for row in text.split("\n\n")[0].splitlines()[2:]:
+                cells = [cell.strip() for cell in row.strip("|").split("|")]
+                for offset, what in (cells[:2], cells[2:]):
+                    found[re.search(r"`(\w+)`|^(control)", what).group(1) or "control"] = int(offset, 16)
+            registers = {name.lower(): value for name, value in registers_of(kernel).items()}
+            registers.pop("registers_end")
+            self.assertEqual(found, {"control": 0, **registers})
 
     @skip_without(shutil.which("gcc"), "gcc")
-    def test_the_bare_metal_example_compiles(self):
-        example = re.search(r"```c\n(.*?)```", self.text, re.DOTALL)[1]
+    def test_the_bare_metal_examples_compile(self):
+        examples = re.findall(r"```c\n(.*?)```", self.text, re.DOTALL)
+        self.assertEqual(len(examples), len(KERNELS))
         with tempfile.TemporaryDirectory() as folder:
             # What AMD's standalone library declares of this.
             Path(folder, "xil_cache.h").write_text("#include <stdint.h>\ntypedef uintptr_t UINTPTR;\n"
                                                    "void Xil_DCacheFlushRange(UINTPTR, uint32_t);\n"
                                                    "void Xil_DCacheInvalidateRange(UINTPTR, uint32_t);\n")
             Path(folder, "xparameters.h").write_text(
-                "#define XPAR_SAILMAP_MEMORY_0_S_AXI_CONTROL_BASEADDR 0x43C00000\n")
-            Path(folder, "example.c").write_text(example)
-            run = subprocess.run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Wno-int-to-pointer-cast", "-Werror",
-                                  "-fsyntax-only", f"-I{folder}", f"-I{ROOT}/hls/include", f"-I{ROOT}/hls/bare_metal",
-                                  Path(folder, "example.c")], capture_output=True, text=True, check=False)
-            self.assertEqual(run.returncode, 0, run.stderr)
+                "#define XPAR_SAILMAP_MEMORY_0_S_AXI_CONTROL_BASEADDR 0x43C00000\n"
+                "#define XPAR_SAILMAP_SIGNATURE_MEMORY_0_S_AXI_CONTROL_BASEADDR 0x43C10000\n")
+            for example in examples:
+                Path(folder, "example.c").write_text(example)
+                run = subprocess.run(["gcc", "-std=c99", "-Wall", "-Wextra", "-Wno-int-to-pointer-cast", "-Werror",
+                                      "-fsyntax-only", f"-I{folder}", f"-I{ROOT}/hls/include", f"-I{ROOT}/hls/bare_metal",
+                                      Path(folder, "example.c")], capture_output=True, text=True, check=False)
+                self.assertEqual(run.returncode, 0, run.stderr)
 
 
 class Boards(unittest.TestCase):
     def test_connections(self):
-        files = {path.stem: path.read_text() for path in (SCRIPTS / "boards").glob("*.cfg")}
-        self.assertEqual(set(files), {"u50", "u250", "k26"})
-        for name, text in files.items():
-            with self.subTest(board=name):
-                self.assertIn(name, tables.read_parts())
-                lines = [line for line in text.splitlines() if not line.startswith("#")]
-                self.assertEqual(lines[:2], ["[connectivity]", "nk=sailmap_memory:1:sailmap_memory_1"])
-                ports = []
-                for line in lines[2:]:
-                    if line.startswith("slr="):
-                        self.assertRegex(line, r"^slr=sailmap_memory_1:SLR\d$")
-                        continue
-                    port, bank = re.fullmatch(r"sp=sailmap_memory_1\.(\w+):(\w+)\[\d+\]", line).groups()
-                    ports.append(port)
-                    self.assertEqual(bank, {"u50": "HBM", "u250": "DDR"}[name])
-                self.assertEqual(ports, [] if name == "k26" else MEMORIES)
+        folder = SCRIPTS / "boards"
+        names = {path.relative_to(folder).as_posix() for path in folder.rglob("*.cfg")}
+        self.assertEqual(names, {f"{board}/{kernel.name}.cfg" for board in ("u50", "u250", "k26") for kernel in KERNELS})
+        for board in ("u50", "u250", "k26"):
+            self.assertIn(board, tables.read_parts())
+            placed = [self.check_connections(board, kernel) for kernel in KERNELS]
+            # Both fit into one xclbin: each in a part of the device of its own, with memory of its own.
+            if board != "k26":
+                self.assertEqual(len({slr for slr, _ in placed}), len(KERNELS))
+                self.assertEqual(placed[0][1] & placed[1][1], set())
+
+    def check_connections(self, board, kernel):
+        """Where the kernel goes, and the memories that it is connected with."""
+        text = (SCRIPTS / "boards" / board / f"{kernel.name}.cfg").read_text()
+        with self.subTest(board=board, kernel=kernel.name):
+            lines = [line for line in text.splitlines() if not line.startswith("#")]
+            self.assertEqual(lines[:2], ["[connectivity]", f"nk={kernel.name}:1:{kernel.name}_1"])
+            region, ports, banks = None, [], set()
+            for line in lines[2:]:
+                if line.startswith("slr="):
+                    region = re.fullmatch(rf"slr={kernel.name}_1:(SLR\d)", line)[1]
+                    continue
+                port, kind, number = re.fullmatch(rf"sp={kernel.name}_1\.(\w+):(\w+)\[(\d+)\]", line).groups()
+                ports.append(port)
+                banks.add(number)
+                self.assertEqual(kind, {"u50": "HBM", "u250": "DDR"}[board])
+            self.assertEqual(tuple(ports), () if board == "k26" else kernel.memories)
+        return region, banks
 
 
 class Link(unittest.TestCase):
@@ -134,26 +186,50 @@ class Link(unittest.TestCase):
 
     def test_compiles_then_links(self):
         self.tool()
-        done = self.linked("u50", "--platform", "xilinx_u50_gen3x16_xdma", "--preset", "720p", "--beat", "8")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        job = self.folder / "jobs" / "sailmap_memory-u50-200MHz-720p-8"
-        self.assertEqual(done.stdout, f"{job}/sailmap_memory.xclbin\n")
-        self.assertEqual((self.folder / "log").read_text().splitlines(), [
-            f"-c --mode hls --config {job}/kernel.cfg --work_dir {job}/work",
-            "--link -t hw --platform xilinx_u50_gen3x16_xdma "
-            f"--config {SCRIPTS}/boards/u50.cfg --clock.freqHz 200000000:sailmap_memory_1 "
-            f"-o {job}/sailmap_memory.xclbin {job}/sailmap_memory.xo"])
+        for words, kernel in (("maps", MAPS), ("signature", SIGNATURE)):
+            with self.subTest(kernel=kernel.name):
+                (self.folder / "log").unlink(missing_ok=True)
+                done = self.linked("u50", "--platform", "xilinx_u50_gen3x16_xdma", "--preset", "720p", "--beat", "8",
+                                   *(("--kernel", words) if kernel is not MAPS else ()))
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                job = self.folder / "jobs" / f"{kernel.name}-u50-200MHz-720p-8"
+                self.assertEqual(done.stdout, f"{job}/{kernel.name}.xclbin\n")
+                self.assertEqual((self.folder / "log").read_text().splitlines(), [
+                    f"-c --mode hls --config {job}/kernel.cfg --work_dir {job}/work",
+                    "--link -t hw --platform xilinx_u50_gen3x16_xdma "
+                    f"--config {SCRIPTS}/boards/u50/{kernel.name}.cfg --clock.freqHz 200000000:{kernel.name}_1 "
+                    f"-o {job}/{kernel.name}.xclbin {job}/{kernel.name}.xo"])
+                self.check_kernel_configuration(kernel, job)
+
+    def check_kernel_configuration(self, kernel, job):
         general, hls = (job / "kernel.cfg").read_text().split("[hls]\n")
         self.assertEqual(general.split(), ["part=xcu50-fsvh2104-2-e"])
         entries = dict(line.split("=", 1) for line in hls.splitlines())
-        self.assertEqual(entries["syn.top"], "sailmap_memory")
-        self.assertEqual(entries["syn.file"], str(ROOT / "hls/top/memory.cpp"))
+        self.assertEqual(entries["syn.top"], kernel.name)
+        self.assertEqual(entries["syn.file"], str(ROOT / "hls/top" / kernel.source))
         self.assertEqual(entries["package.output.format"], "xo")
-        self.assertEqual(entries["package.output.file"], f"{job}/sailmap_memory.xo")
+        self.assertEqual(entries["package.output.file"], f"{job}/{kernel.name}.xo")
         self.assertEqual(entries["flow_target"], "vitis")
         self.assertIn("-DSAILMAP_VITIS_KERNEL", entries["syn.file_cflags"].split())
         for macro in ("MAX_WIDTH=1280", "MAX_HEIGHT=720", "BEAT=8"):
             self.assertIn(f"-DSAILMAP_{macro}", entries["syn.file_cflags"])
+
+    def test_both_kernels_in_one_xclbin(self):
+        self.tool()
+        done = self.linked("u250", "--platform", "p", "--kernel", "both", "--preset", "vga")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        jobs = {kernel: self.folder / "jobs" / f"{kernel.name}-u250-200MHz-vga-4" for kernel in KERNELS}
+        self.assertEqual(done.stdout, f"{jobs[MAPS]}/sailmap_both.xclbin\n")
+        boards = SCRIPTS / "boards" / "u250"
+        self.assertEqual((self.folder / "log").read_text().splitlines(), [
+            *(f"-c --mode hls --config {job}/kernel.cfg --work_dir {job}/work" for job in jobs.values()),
+            "--link -t hw --platform p "
+            f"--config {boards}/sailmap_memory.cfg --clock.freqHz 200000000:sailmap_memory_1 "
+            f"--config {boards}/sailmap_signature_memory.cfg --clock.freqHz 200000000:sailmap_signature_memory_1 "
+            f"-o {jobs[MAPS]}/sailmap_both.xclbin {jobs[MAPS]}/sailmap_memory.xo "
+            f"{jobs[SIGNATURE]}/sailmap_signature_memory.xo"])
+        for kernel, job in jobs.items():
+            self.assertIn(f"syn.top={kernel.name}\n", (job / "kernel.cfg").read_text())
 
     def test_faults_are_one_line(self):
         for arguments, says in ((("u51", "--platform", "p"), "u51"), (("u50", "--platform", "p"), "no v++")):

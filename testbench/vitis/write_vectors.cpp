@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <exception>
 #include <fstream>
 #include <functional>
@@ -15,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "beats.hpp"
 #include "call.hpp"
 #include "csim/expected.hpp"
 #include "csim/expected_signature.hpp"
@@ -251,7 +251,7 @@ void map_words(Call& call, const csim::FrontEndWords& words) {
   call.words("statistics", words.statistics);
 }
 
-void front_end(Call& call, const csim::Frame& frame, std::size_t beat) {
+void front_end(Call& call, const csim::Frame& frame, std::size_t beat, std::uint32_t /*number*/) {
   components(call, frame, beat);
   map_words(call, expected(frame));
 }
@@ -270,39 +270,9 @@ void signature(Call& call, const csim::Frame& frame, const Stages& /*stages*/) {
   record(call, frame, model);
 }
 
-void signature_front_end(Call& call, const csim::Frame& frame, std::size_t beat) {
+void signature_front_end(Call& call, const csim::Frame& frame, std::size_t beat, std::uint32_t /*number*/) {
   components(call, frame, beat);
   record(call, frame, ref::compute<Quantised>(view(frame)));
-}
-
-// Beats of AXI4-Stream video: {R, B, G} of each pixel from high to low byte, the left pixel low; in
-// hexadecimal.
-std::vector<std::string> video(const csim::Frame& frame, std::size_t beat) {
-  static constexpr const char* digits = "0123456789abcdef";
-  std::vector<std::string> beats(frame.rgb.size() / (3 * beat));
-  for (std::size_t i = 0; i < frame.rgb.size() / 3; ++i) {
-    std::string pixel;
-    for (const std::size_t component : {0U, 2U, 1U}) {
-      const std::uint8_t byte = frame.rgb[3 * i + component];
-      pixel += {digits[byte >> 4], digits[byte & 15]};
-    }
-    beats[i / beat].insert(0, pixel);
-  }
-  return beats;
-}
-
-// Beats of pixels in memory: R, G, B and a byte of any value from low to high, the left pixel low; in
-// hexadecimal.
-std::vector<std::string> memory_beats(const csim::Frame& frame, std::size_t beat) {
-  std::vector<std::string> beats(frame.rgb.size() / (3 * beat));
-  std::array<char, 9> pixel{};
-  for (std::size_t i = 0; i < frame.rgb.size() / 3; ++i) {
-    const std::uint8_t* rgb = &frame.rgb[3 * i];
-    std::snprintf(pixel.data(), pixel.size(), "%02x%02x%02x%02x", static_cast<unsigned>(i % 256), rgb[2],
-                  rgb[1], rgb[0]);
-    beats[i / beat].insert(0, pixel.data());
-  }
-  return beats;
 }
 
 void memory(Call& call, const csim::Frame& frame, std::size_t beat, std::uint32_t tag) {
@@ -317,6 +287,14 @@ void memory(Call& call, const csim::Frame& frame, std::size_t beat, std::uint32_
   call.words("statistics", words.statistics);
   // Version alone of the report: its other words depend on the configuration.
   call.words("report", std::vector<std::uint32_t>{SAILMAP_MEMORY_VERSION});
+}
+
+void signature_memory(Call& call, const csim::Frame& frame, std::size_t beat, std::uint32_t tag) {
+  call.scalar("frame", tag);
+  call.text_words("pixels", memory_beats(frame, beat));
+  record(call, frame, ref::compute<Quantised>(view(frame)));
+  // As of the maps: version alone.
+  call.words("report", std::vector<std::uint32_t>{SAILMAP_SIGNATURE_VERSION});
 }
 
 void axi(Call& call, const csim::Frame& frame, std::size_t beat, std::uint32_t frames) {
@@ -353,12 +331,22 @@ std::vector<csim::Frame> three_frames() {
   return {patches_frame(72, 64, random), noise_frame(64, 70, random), constant_frame(64, 64, 200, 30, 90)};
 }
 
+// Whole front ends, with the number of the frame from 1 on.
+using WholeWriter = std::function<void(Call&, const csim::Frame&, std::size_t beat, std::uint32_t number)>;
+const std::map<std::string, WholeWriter> whole_writers = {
+    {"sailmap_front_end", front_end},
+    {"sailmap_signature_front_end", signature_front_end},
+    {"sailmap_axi", axi},
+    {"sailmap_memory", memory},
+    {"sailmap_signature_memory", signature_memory}};
+
 void write(const std::string& top, std::size_t beat, const std::string& path,
            const std::vector<csim::Frame>& frames) {
-  const auto writer = stage_writers.find(top);
-  const bool whole = top == "sailmap_front_end" || top == "sailmap_signature_front_end" ||
-                     top == "sailmap_axi" || top == "sailmap_memory";
-  if (writer == stage_writers.end() && !whole) throw std::runtime_error("unknown top " + top);
+  const auto stage = stage_writers.find(top);
+  const auto whole = whole_writers.find(top);
+  if (stage == stage_writers.end() && whole == whole_writers.end()) {
+    throw std::runtime_error("unknown top " + top);
+  }
   if (beat != 1 && beat != 2 && beat != 4 && beat != 8) throw std::runtime_error("a beat is 1, 2, 4 or 8");
   std::ofstream file(path);
   std::uint32_t count = 0;
@@ -366,16 +354,10 @@ void write(const std::string& top, std::size_t beat, const std::string& path,
     Call call;
     ++count;
     if (top != "sailmap_gains") call.size(frame);
-    if (top == "sailmap_front_end") {
-      front_end(call, frame, beat);
-    } else if (top == "sailmap_signature_front_end") {
-      signature_front_end(call, frame, beat);
-    } else if (top == "sailmap_axi") {
-      axi(call, frame, beat, count);
-    } else if (top == "sailmap_memory") {
-      memory(call, frame, beat, count);
+    if (whole != whole_writers.end()) {
+      whole->second(call, frame, beat, count);
     } else {
-      writer->second(call, frame, Stages(frame));
+      stage->second(call, frame, Stages(frame));
     }
     file << call.text();
   }

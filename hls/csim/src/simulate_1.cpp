@@ -2,6 +2,6 @@
 
 namespace sailmap::csim {
 
-template std::vector<FrontEndWords> run_front_end<Largest<1>>(std::span<const Frame>, Scheduler&);
+SAILMAP_LARGEST(, 1);
 
 }  // namespace sailmap::csim

@@ -32,8 +32,7 @@ void feed(Scheduler& scheduler, Stream<T>& stream, const std::vector<T>& words) 
 
 std::vector<std::uint32_t> simulate_signature(const FrontEndWords& words, int width, int height,
                                               const SignatureParameters& parameters, Scheduler& scheduler) {
-  static std::mutex one_at_a_time;
-  const std::lock_guard lock(one_at_a_time);
+  const std::lock_guard lock(one_at_a_time());
   check(words, width, height);
   Stream<std::uint32_t> intensity_maps("intensity_maps");
   Stream<std::uint64_t> colour_maps("colour_maps");
@@ -58,6 +57,13 @@ std::vector<std::uint32_t> simulate_signature(const FrontEndWords& words, int wi
   });
   scheduler.run();
   return out;
+}
+
+Records simulate_records(std::span<const Frame> frames, int beat, const SignatureParameters& parameters,
+                         Scheduler& scheduler) {
+  return with_largest(beat, [&]<class Config>(Config) {
+    return run_signature_front_end<Config>(frames, parameters, scheduler);
+  });
 }
 
 }  // namespace sailmap::csim

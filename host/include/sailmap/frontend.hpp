@@ -20,9 +20,9 @@ class Frontend {
   // Fills `maps`, reusing its memory. Throws Error when a side is outside 64..4096 pixels. Not safe to call
   // from two threads at once on one object: give each thread its own.
   virtual void compute(const ImageView& image, Maps& maps) = 0;
-  // The image's signature, and its maps where the front end hands them out. Throws Error as compute and
-  // make_signature do. A front end that runs on hardware, or simulates it, makes the signature there when
-  // `regions` says so; others with make_signature.
+  // The image's signature, and its maps where the front end hands them out; else `maps` is empty afterwards,
+  // and who needs them calls compute. Throws Error as compute and make_signature do. A front end that runs on
+  // hardware, or simulates it, makes the signature there when `regions` says so; others with make_signature.
   virtual void describe(const ImageView& image, const RegionConfig& regions, Maps& maps,
                         Signature& signature);
 };

@@ -52,6 +52,9 @@ struct Map {
 
 // Everything a front end says about one image. All maps are ceil(W/4) x ceil(H/4).
 struct Maps {
+  // Whether there are none: a front end's hardware kept them to itself.
+  [[nodiscard]] bool empty() const { return image_width == 0; }
+
   int image_width = 0;  // level-0 pixels
   int image_height = 0;
   std::array<Map, feature_count> features;  // before normalisation (spec 6)

@@ -23,10 +23,12 @@ class DeviceError : public Error {
 };
 
 struct XrtSettings {
-  std::string xclbin;                       // file with the kernel sailmap_memory (docs/fpga.md)
+  // File with the kernel sailmap_memory, which hands out maps, sailmap_signature_memory, which hands out
+  // signatures (SignatureMaker::chip) alone, or both (docs/fpga.md).
+  std::string xclbin;
   unsigned device = 0;                      // XRT's index of the card
   std::chrono::milliseconds timeout{2000};  // for a frame, those before it included; > 0
-  int frames_in_flight = 3;                 // buffer sets; 2 .. 64
+  int frames_in_flight = 3;                 // buffer sets a kernel; 2 .. 64
   // The front end that takes over when the device fails, and for images that its kernel does not take:
   // "fixed", which computes the same bit for bit; empty: nothing, they are errors.
   std::string fallback;

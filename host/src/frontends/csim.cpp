@@ -41,7 +41,7 @@ class Csim : public Frontend {
     csim::Scheduler scheduler;
     const std::vector<std::uint32_t> record = csim::simulate_signature(
         words, image.width, image.height, {asked.max_regions, asked.stop_ratio, asked.box_side}, scheduler);
-    signature = signature_of_record(record, image.width, image.height);
+    signature = signature_of_record(record, image.width, image.height, asked);
   }
 
  private:

@@ -57,7 +57,8 @@ ChipParameters chip_parameters(const RegionConfig& config) {
           static_cast<std::uint16_t>(config.box_side)};
 }
 
-Signature signature_of_record(std::span<const std::uint32_t> words, int width, int height) {
+Signature signature_of_record(std::span<const std::uint32_t> words, int width, int height,
+                              const ChipParameters& asked) {
   const Record record(words);
   Record::demand(record.at(layout::mark_word) == layout::mark_and_version,
                  "its first word is " + std::to_string(record.at(layout::mark_word)));
@@ -65,8 +66,12 @@ Signature signature_of_record(std::span<const std::uint32_t> words, int width, i
   Record::demand(layout::low_of(size) == width && layout::high_of(size) == height,
                  "it is of a frame of " + std::to_string(layout::low_of(size)) + "x" +
                      std::to_string(layout::high_of(size)) + " pixels");
+  Record::demand(record.at(layout::max_regions_word) == asked.max_regions &&
+                     record.at(layout::stop_ratio_word) == asked.stop_ratio &&
+                     record.at(layout::box_side_word) == asked.box_side,
+                 "it was made with other parameters than were asked for");
   const std::uint32_t count = record.at(layout::count_word);
-  Record::demand(count <= layout::max_regions, "it has " + std::to_string(count) + " regions");
+  Record::demand(count <= asked.max_regions, "it has " + std::to_string(count) + " regions");
   Signature signature{width, height, {}};
   for (int r = 0; r < static_cast<int>(count); ++r) {
     signature.regions.push_back(region_of(record, r, width, height));

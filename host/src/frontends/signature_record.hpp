@@ -18,8 +18,9 @@ struct ChipParameters {
 // Throws Error when the hardware makes no signatures so configured (check_chip_regions).
 ChipParameters chip_parameters(const RegionConfig& config);
 
-// Of the words of a record of a frame of that size. Throws Error when they are none: another length, mark,
-// version or frame size, too many regions, a region outside the frame.
-Signature signature_of_record(std::span<const std::uint32_t> words, int width, int height);
+// Of the words of a record of a frame of that size, so asked for. Throws Error when they are none: another
+// length, mark, version, frame size or parameters, too many regions, a region outside the frame.
+Signature signature_of_record(std::span<const std::uint32_t> words, int width, int height,
+                              const ChipParameters& asked);
 
 }  // namespace sailmap

@@ -99,7 +99,7 @@ std::string jpeg_uri(const cv::Mat& image, int longest, int quality) {
 
 nlohmann::ordered_json picture_of(const Look& look, int longest) {
   nlohmann::ordered_json maps = nlohmann::ordered_json::array();
-  if (look.maps.image_width > 0) {
+  if (!look.maps.empty()) {
     maps.push_back(jpeg_uri(coloured(look.maps.saliency), map_side, map_quality));
     for (const Map& map : look.maps.conspicuities) {
       maps.push_back(jpeg_uri(coloured(map), map_side, map_quality));

@@ -11,13 +11,18 @@ from program_case import DATA, ProgramCase
 # What the images themselves make of a map file; the tables map and session also hold versions and times.
 TABLES = ("image", "signature", "detection", "node", "edge")
 HARDWARE = ("csim", "fixed", "quantised", "xrt")
+# Which kernels the simulated card has.
+CARDS = ("maps", "signature", "both")
 
 
 class ChipSignature(ProgramCase):
     def setUp(self):
         super().setUp()
-        os.environ["SAILMAP_SIMULATED_DEVICE"] = "640x480x4"
+        self.card("maps")
         self.addCleanup(os.environ.pop, "SAILMAP_SIMULATED_DEVICE", None)
+
+    def card(self, kernels):
+        os.environ["SAILMAP_SIMULATED_DEVICE"] = f"640x480x4 {kernels}"
 
     def query(self, name, statement):
         with contextlib.closing(sqlite3.connect(self.folder / name)) as file:
@@ -32,11 +37,12 @@ class ChipSignature(ProgramCase):
         content = self.content(name)
         return content["node"], content["edge"], self.query(name, "SELECT id, reason, best_node FROM detection ORDER BY id")
 
-    def map_of(self, source, frontend, signature):
+    def map_of(self, source, frontend, signature, *more):
         name = f"{frontend}-{signature}.map"
+        (self.folder / name).unlink(missing_ok=True)
         card = ["--xclbin", "k"] if frontend == "xrt" else []  # simulated
         self.run_program("run", source, "--map", name, "--frontend", frontend, "--signature", signature,
-                         "--exclude-recent", "3", *card)
+                         "--exclude-recent", "3", *card, *more)
         return name
 
     def loops(self, name):
@@ -64,6 +70,32 @@ class ChipSignature(ProgramCase):
         self.assertGreater(len(maps[0]["signature"]), 5)
         for frontend, content in zip(HARDWARE[1:], maps[1:]):
             self.assertEqual(content, maps[0], frontend)
+
+    def test_a_card_makes_the_same_map_with_either_kernel(self):
+        source = self.simulated()
+        other = ("--max-regions", "7", "--box-side", "12", "--stop-ratio", "0.125")
+        for options in ((), other):
+            want = self.content(self.map_of(source, "fixed", "chip", *options))
+            for kernels in CARDS:
+                self.card(kernels)
+                self.assertEqual(self.content(self.map_of(source, "xrt", "chip", *options)), want, kernels)
+                self.assertNotIn("warning", self.errors)
+
+    def test_thumbnails_and_figures_beside_a_cards_own_signature(self):
+        """They are made of the images; the maps stay on the card."""
+        source = self.simulated()
+        thumbnails = []
+        for frontend in ("fixed", "xrt"):
+            self.card("signature")
+            name = self.map_of(source, frontend, "chip", "--thumbnails", "64")
+            thumbnails.append(self.query(name, "SELECT jpeg FROM thumbnail ORDER BY id"))
+        self.assertEqual(*thumbnails)
+        self.assertTrue(all(row[0] for row in thumbnails[0]))
+        pair = [sorted((self.folder / source).iterdir())[i] for i in (0, 12)]
+        said = [self.run_program("match", *pair, "--out", f"{frontend}.png", "--signature", "chip", "--frontend", frontend,
+                                 "--xclbin", "k") for frontend in ("fixed", "xrt")]
+        self.assertEqual(*said)
+        self.assertEqual(*((self.folder / f"{frontend}.png").read_bytes() for frontend in ("fixed", "xrt")))
 
     def test_decides_as_with_the_hosts_signatures(self):
         source = self.simulated()
@@ -112,13 +144,18 @@ class ChipSignature(ProgramCase):
         source = self.simulated()
         image = sorted((self.folder / source).iterdir())[0]
         found = []
-        for frontend, signature in (("csim", "chip"), ("fixed", "chip"), ("fixed", "host")):
+        self.card("both")
+        for frontend, signature in (("csim", "chip"), ("fixed", "chip"), ("xrt", "chip"), ("fixed", "host")):
             folder = f"{frontend}-{signature}"
-            self.run_program("detect", image, "--frontend", frontend, "--signature", signature, "--out", folder)
+            self.run_program("detect", image, "--frontend", frontend, "--signature", signature, "--out", folder,
+                             "--xclbin", "k")
             text = (self.folder / folder / "regions.json").read_text(encoding="utf-8")
             found.append(text[text.index('"regions"'):])
         self.assertEqual(found[0], found[1])
-        self.assertNotEqual(found[1], found[2])
+        self.assertEqual(found[0], found[2])
+        self.assertNotEqual(found[2], found[3])
+        # A figure shows the saliency map, which this card hands out on its own.
+        self.assertEqual(*((self.folder / name / "figure.png").read_bytes() for name in ("fixed-chip", "xrt-chip")))
         printed = self.run_program("eval", source, "--ground-truth", "drive/ground_truth.txt", "--exclude-recent", "3",
                                    "--signature", "chip")
         self.assertIn("average precision", printed.lower())

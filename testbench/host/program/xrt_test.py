@@ -98,6 +98,51 @@ class Xrt(ProgramCase):
             self.assertEqual(got, want)
             self.assertEqual(self.errors.count("the front end fixed takes over"), 1, self.errors)
 
+    def test_a_card_of_signatures_fails_midway_as_one_of_maps(self):
+        self.drive()
+        want = self.run_and_list("--frontend", "fixed", "--signature", "chip", out="f.db")
+        on_card = ("--frontend", "xrt", "--xclbin", "k", "--signature", "chip")
+        for i, (fault, says) in enumerate((("lost 3", "simulated device: the device is lost"),
+                                           ("hang 2", "the kernel did not finish a frame within 2000 ms"),
+                                           ("wrong-length 1", "the kernel reports a signature of 240 words"),
+                                           ("damaged-record 2", "a signature from the hardware is damaged"),
+                                           ("other-version", "reports version 0x53470002, this program is for 0x53470001"))):
+            self.device(f"{GOOD} signature {fault}")
+            self.run_program("run", "images", "--map", f"a{i}.db", "--skip-bad", *on_card, code=1)
+            self.assertIn(says, self.errors)
+            self.assertNotIn("skipped", self.errors)
+            self.assertEqual(self.run_and_list(*on_card, "--fallback", "fixed", out=f"x{i}.db"), want)
+            self.assertEqual(self.errors.count("the front end fixed takes over"), 1, self.errors)
+
+    def test_what_needs_maps_fails_on_a_card_of_signatures(self):
+        self.device(f"{GOOD} signature")
+        self.drive(2)
+        says = "simulated device: it has no kernel sailmap_memory, which hands out maps, but sailmap_signature_memory"
+        card = ("--frontend", "xrt", "--xclbin", "k")
+        chip = ("--signature", "chip")
+        for command in (("run", "images", "--map", "m.db"), ("run", "images", "--map", "m.db", "--method", "context"),
+                        ("detect", "images/000.png"), ("detect", "images/000.png", "--save-maps", *chip),
+                        ("match", "images/000.png", "images/001.png"), ("compare", "images"), ("compare", "images", *chip,
+                                                                                              "--against", "fixed")):
+            with self.subTest(command):
+                self.run_program(*command, *card, code=1)
+                self.assertIn(says, self.errors)
+                self.assertEqual(self.errors.count("\n"), 1, self.errors)
+        self.assertFalse((self.folder / "sailmap-detect").exists())
+        self.fails("run", "images", "--map", "n.db", "--method", "context", *chip, *card,
+                   says="the method context needs the maps")
+        # The front end of the CPU has them, and says so once.
+        self.run_program("detect", "images/000.png", *card, "--fallback", "fixed", "--out", "fallback")
+        self.assertIn(says + "; the front end fixed takes over", self.errors)
+        self.assertTrue((self.folder / "fallback" / "figure.png").exists())
+
+    def test_compare_on_a_card_of_both_kernels(self):
+        self.device(f"{GOOD} both")
+        self.drive(2)
+        printed = json.loads(self.run_program("compare", "images", "--frontend", "xrt", "--xclbin", "k", "--signature", "chip",
+                                              "--against", "fixed", "--json"))
+        self.assertEqual({map["largest_error"] for map in printed["maps"].values()}, {0})
+
     def test_images_too_large_for_the_kernel(self):
         self.device("128x100x4")
         self.drive(2, 160, 120)

@@ -40,7 +40,16 @@ TEST(Noop, NeedsXrt) {
 
 #else
 
-const std::vector<std::string> arguments = {argument_names.begin(), argument_names.end()};
+// A known kernel as the xclbin writer takes it.
+XclbinKernel described(const KernelInterface& kernel) {
+  return {kernel.name, argument_names(kernel), kernel.buffers.size()};
+}
+
+std::string xclbin_with(const std::vector<KernelInterface>& kernels) {
+  std::vector<XclbinKernel> all;
+  for (const KernelInterface& kernel : kernels) all.push_back(described(kernel));
+  return xclbin_of(all);
+}
 
 struct Noop : ::testing::Test {
   TemporaryFolder folder;
@@ -51,7 +60,7 @@ struct Noop : ::testing::Test {
     std::filesystem::create_directory_symlink(SAILMAP_XRT_LIBRARIES, folder.path() / "lib");
     setenv("XILINX_XRT", folder.path().c_str(), 1);
     setenv("XCL_EMULATION_MODE", "noop", 1);
-    xclbin = folder.file("kernel.xclbin", xclbin_of("sailmap_memory", arguments)).string();
+    xclbin = folder.file("kernel.xclbin", xclbin_with({maps_kernel})).string();
   }
   [[nodiscard]] static std::string fault_of(const std::string& path, unsigned device = 0) {
     try {
@@ -63,22 +72,25 @@ struct Noop : ::testing::Test {
   }
 };
 
-// The real device, with a kernel where `noop` has none: once XRT says that a run has ended, the simulated
+// The real device, with kernels where `noop` has none: once XRT says that a run has ended, the simulated
 // kernel works on the buffers that XRT mapped.
 class WithKernel : public Device {
  public:
   WithKernel(std::unique_ptr<Device> device, std::atomic<int>& slots, std::atomic<int>& runs)
       : device_(std::move(device)), slots_(slots), runs_(runs) {}
   [[nodiscard]] std::string name() const override { return device_->name(); }
-  [[nodiscard]] std::unique_ptr<Slot> make_slot(const BufferSizes& sizes) override {
+  [[nodiscard]] std::vector<KernelInterface> kernels() const override { return device_->kernels(); }
+  [[nodiscard]] std::unique_ptr<Slot> make_slot(const KernelInterface& kernel,
+                                                const BufferSizes& sizes) override {
     ++slots_;
-    return std::make_unique<KernelSlot>(device_->make_slot(sizes), runs_);
+    return std::make_unique<KernelSlot>(device_->make_slot(kernel, sizes), kernel, runs_);
   }
 
  private:
   class KernelSlot : public Slot {
    public:
-    KernelSlot(std::unique_ptr<Slot> slot, std::atomic<int>& runs) : slot_(std::move(slot)), runs_(runs) {}
+    KernelSlot(std::unique_ptr<Slot> slot, const KernelInterface& kernel, std::atomic<int>& runs)
+        : slot_(std::move(slot)), kernel_(kernel), runs_(runs) {}
     [[nodiscard]] std::span<std::byte> memory(Buffer buffer) override { return slot_->memory(buffer); }
     void start(const Call& call) override {
       call_ = call;
@@ -87,12 +99,13 @@ class WithKernel : public Device {
     [[nodiscard]] Outcome wait(std::chrono::milliseconds timeout) override {
       const Outcome outcome = slot_->wait(timeout);
       ++runs_;
-      run_kernel(*slot_, call_, {160, 120, 8});
+      run_kernel(kernel_, *slot_, call_, {160, 120, 8});
       return outcome;
     }
 
    private:
     std::unique_ptr<Slot> slot_;
+    KernelInterface kernel_;
     std::atomic<int>& runs_;
     Call call_;
   };
@@ -102,7 +115,15 @@ class WithKernel : public Device {
   std::atomic<int>& runs_;
 };
 
-TEST_F(Noop, AKernelThatReportsNothingIsNotOurs) {
+// For each of the kernels.
+struct NoopKernel : Noop, ::testing::WithParamInterface<KernelInterface> {
+  void SetUp() override {
+    Noop::SetUp();
+    xclbin = folder.file("kernel.xclbin", xclbin_with({GetParam()})).string();
+  }
+};
+
+TEST_P(NoopKernel, AKernelThatReportsNothingIsNotOurs) {
   XrtSettings settings;
   settings.xclbin = xclbin;
   set_xrt(settings);
@@ -111,12 +132,13 @@ TEST_F(Noop, AKernelThatReportsNothingIsNotOurs) {
     make_frontend("xrt");
     FAIL() << "noop passes for a kernel";
   } catch (const DeviceError& fault) {
-    EXPECT_STREQ(fault.what(),
-                 "device 0: the kernel reports version 0x00000000, this program is for 0x534d0001");
+    const std::string version = GetParam() == maps_kernel ? "0x534d0001" : "0x53470001";
+    EXPECT_EQ(fault.what(),
+              "device 0: the kernel reports version 0x00000000, this program is for " + version);
   }
 }
 
-TEST_F(Noop, FramesGoThroughBuffersThatXrtMapsAndThatAreUsedAgain) {
+TEST_P(NoopKernel, FramesGoThroughBuffersThatXrtMapsAndThatAreUsedAgain) {
   std::atomic<int> slots = 0;
   std::atomic<int> runs = 0;
   XrtSettings settings;
@@ -124,42 +146,85 @@ TEST_F(Noop, FramesGoThroughBuffersThatXrtMapsAndThatAreUsedAgain) {
   settings.frames_in_flight = 2;
   const auto service = make_service(
       settings, [&] { return std::make_unique<WithKernel>(open_native_device(xclbin, 0), slots, runs); });
-  std::vector<std::vector<Maps> > got(3);
+  std::vector<std::vector<Answer> > got(3);
   {
     std::vector<std::jthread> threads;
     for (unsigned thread = 0; thread < 3; ++thread) {
       threads.emplace_back([&, thread] {
         const auto frontend = make_frontend_on(service);
         for (unsigned i = 0; i < 4; ++i) {
-          frontend->compute(picture(10 * thread + i).view(), got[thread].emplace_back());
+          got[thread].push_back(ask(*frontend, picture(10 * thread + i), GetParam()));
         }
       });
     }
   }
   for (unsigned thread = 0; thread < 3; ++thread) {
-    for (unsigned i = 0; i < 4; ++i) expect_same(got[thread][i], expected_maps(picture(10 * thread + i)));
+    for (unsigned i = 0; i < 4; ++i) {
+      expect_same(got[thread][i], expected_answer(picture(10 * thread + i), GetParam()));
+    }
   }
   EXPECT_EQ(runs, 1 + 12);
   EXPECT_LE(slots, 1 + 2);
 }
 
-TEST_F(Noop, TheSameMemoryFromFrameToFrame) {
+TEST_P(NoopKernel, TheSameMemoryFromFrameToFrame) {
   const auto device = open_native_device(xclbin, 0);
-  const auto slot = device->make_slot(buffer_sizes(160, 120));
+  EXPECT_THAT(device->kernels(), ::testing::ElementsAre(GetParam()));
+  const auto slot = device->make_slot(GetParam(), buffer_sizes(GetParam(), 160, 120));
   const auto* const before = slot->memory(Buffer::pixels).data();
   EXPECT_GE(slot->memory(Buffer::pixels).size(), 4U * 160 * 120);
   for (std::uint32_t frame = 0; frame < 3; ++frame) {
-    slot->start({160, 120, frame});
+    slot->start({160, 120, frame, 20, 0, 10});
     EXPECT_EQ(slot->wait(60s), Outcome::done);
     EXPECT_EQ(slot->memory(Buffer::pixels).data(), before);
   }
+}
+
+TEST_P(NoopKernel, OtherArguments) {
+  const XclbinKernel good = described(GetParam());
+  const std::string bad = (folder.path() / "bad.xclbin").string();
+  const std::string says = bad + ": its kernel " + good.name + " has other arguments";
+  XclbinKernel other = good;
+  std::swap(other.arguments[1], other.arguments[2]);
+  EXPECT_EQ(fault_of(folder.file("bad.xclbin", xclbin_of({other})).string()), says);
+  other = good;
+  other.arguments.emplace_back("more");
+  EXPECT_EQ(fault_of(folder.file("bad.xclbin", xclbin_of({other})).string()), says);
+  other = good;
+  other.arguments.pop_back();
+  EXPECT_EQ(fault_of(folder.file("bad.xclbin", xclbin_of({other})).string()), says);
+}
+
+INSTANTIATE_TEST_SUITE_P(Xrt, NoopKernel, ::testing::ValuesIn(known_kernels), kernel_word);
+
+// Both kernels of one xclbin, by turns and at once.
+TEST_F(Noop, BothKernels) {
+  xclbin = folder.file("kernel.xclbin", xclbin_with({maps_kernel, signature_kernel})).string();
+  std::atomic<int> slots = 0;
+  std::atomic<int> runs = 0;
+  XrtSettings settings;
+  settings.timeout = 60s;
+  const auto service = make_service(
+      settings, [&] { return std::make_unique<WithKernel>(open_native_device(xclbin, 0), slots, runs); });
+  std::vector<std::jthread> threads;
+  for (const KernelInterface& kernel : known_kernels) {
+    threads.emplace_back([&] {
+      const auto frontend = make_frontend_on(service);
+      for (unsigned i = 0; i < 6; ++i) {
+        const KernelInterface& now = known_kernels[(i + (kernel == maps_kernel ? 0 : 1)) % 2];
+        expect_same(ask(*frontend, picture(i), now), expected_answer(picture(i), now));
+      }
+    });
+  }
+  threads.clear();
+  EXPECT_EQ(runs, 2 + 12);
 }
 
 TEST_F(Noop, WrongFilesAndDevices) {
   const std::string missing = (folder.path() / "missing.xclbin").string();
   EXPECT_EQ(fault_of(missing), missing + ": cannot be read");
   EXPECT_EQ(fault_of(folder.path().string()), folder.path().string() + ": cannot be read");
-  const std::string good = xclbin_of("sailmap_memory", arguments);
+  const std::string good = xclbin_with({maps_kernel});
   const std::string bad = (folder.path() / "bad.xclbin").string();
   const auto fault_of_bytes = [&](const std::string& bytes) {
     return fault_of(folder.file("bad.xclbin", bytes).string());
@@ -169,15 +234,10 @@ TEST_F(Noop, WrongFilesAndDevices) {
   for (const std::size_t bytes : {std::size_t{8}, std::size_t{400}, std::size_t{500}, good.size() - 1}) {
     EXPECT_EQ(fault_of_bytes(good.substr(0, bytes)), bad + ": the xclbin is cut off") << bytes;
   }
-  EXPECT_EQ(fault_of_bytes(xclbin_of("vadd", arguments)), bad + ": has no kernel sailmap_memory");
-  auto others = arguments;
-  std::swap(others[1], others[2]);
-  EXPECT_EQ(fault_of_bytes(xclbin_of("sailmap_memory", others)),
-            bad + ": its kernel sailmap_memory has other arguments");
-  others = arguments;
-  others.emplace_back("more");
-  EXPECT_EQ(fault_of_bytes(xclbin_of("sailmap_memory", others)),
-            bad + ": its kernel sailmap_memory has other arguments");
+  XclbinKernel foreign = described(maps_kernel);
+  foreign.name = "vadd";
+  EXPECT_EQ(fault_of_bytes(xclbin_of({foreign})),
+            bad + ": has no kernel sailmap_memory or sailmap_signature_memory");
 }
 
 // Without emulation: this machine has no card, or at least not so many. In processes of their own, for XRT
@@ -203,7 +263,7 @@ TEST_F(Noop, XrtWithoutItsLibraries) {
 }
 
 TEST_F(Noop, SectionsOutsideTheFile) {
-  std::string bytes = xclbin_of("sailmap_memory", arguments);
+  const std::string bytes = xclbin_with({maps_kernel});
   // The offset and the size of the first section, as xclbin.h lays them out.
   for (const std::size_t at : {std::size_t{456 + 24}, std::size_t{456 + 32}}) {
     std::string broken = bytes;

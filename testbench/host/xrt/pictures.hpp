@@ -1,15 +1,26 @@
-// Images to send through a device, and the maps that must come back.
+// Images to send through a device, and the maps or signatures that must come back.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <ostream>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "fixed/maps_equal.hpp"
+#include "frontends/xrt/kernel_interface.hpp"
 #include "sailmap/frontend.hpp"
+#include "sailmap/signature.hpp"
+
+namespace sailmap::fpga {
+
+// For GoogleTest's messages.
+inline void PrintTo(const KernelInterface& kernel, std::ostream* out) { *out << kernel.name; }
+
+}  // namespace sailmap::fpga
 
 namespace sailmap::testing {
 
@@ -53,5 +64,43 @@ inline Maps expected_maps(const Picture& picture) {
 }
 
 inline void expect_same(const Maps& got, const Maps& want) { EXPECT_EQ(difference(got, want), ""); }
+
+inline RegionConfig on_chip() {
+  RegionConfig config;
+  config.signature = SignatureMaker::chip;
+  return config;
+}
+
+// What a front end says of an image where its card has one kernel: that one's output, the other empty.
+struct Answer {
+  Maps maps;
+  Signature signature;
+};
+
+inline Answer ask(Frontend& frontend, const Picture& picture, const fpga::KernelInterface& kernel) {
+  Answer answer;
+  if (kernel == fpga::maps_kernel) {
+    frontend.compute(picture.view(), answer.maps);
+  } else {
+    Maps maps;  // a fallback has them
+    frontend.describe(picture.view(), on_chip(), maps, answer.signature);
+  }
+  return answer;
+}
+
+// What the CPU says, which no kernel code takes part in.
+inline Answer expected_answer(const Picture& picture, const fpga::KernelInterface& kernel) {
+  return ask(*make_frontend("fixed"), picture, kernel);
+}
+
+inline void expect_same(const Answer& got, const Answer& want) {
+  expect_same(got.maps, want.maps);
+  EXPECT_TRUE(got.signature == want.signature);
+}
+
+// The name of a test for each kernel.
+inline std::string kernel_word(const ::testing::TestParamInfo<fpga::KernelInterface>& kernel) {
+  return kernel.param == fpga::maps_kernel ? "maps" : "signature";
+}
 
 }  // namespace sailmap::testing

@@ -9,43 +9,50 @@
 namespace sailmap::testing {
 namespace {
 
-constexpr std::size_t buffers = 8;
 constexpr unsigned first_offset = 0x10;
+
+// Of the instance of a kernel, by its place in the file.
+unsigned base_address(std::size_t kernel) { return 0x1000000 + 0x10000 * static_cast<unsigned>(kernel); }
 
 template <class T>
 std::string bytes_of(const T& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
-// What v++ writes about a kernel, as far as XRT reads it.
-std::string metadata(const std::string& kernel, const std::vector<std::string>& arguments) {
+std::string metadata_of(const XclbinKernel& kernel, std::size_t place) {
   std::string xml = fmt::format(
-      "<?xml version=\"1.0\"?>\n<project name=\"{0}\"><platform><device fpgaDevice=\"none\"><core "
-      "name=\"OCL_REGION_0\">"
       "<kernel name=\"{0}\" language=\"c\"><port name=\"S_AXI_CONTROL\" mode=\"slave\" range=\"0x1000\" "
       "dataWidth=\"32\" portType=\"addressable\" base=\"0x0\"/>",
-      kernel);
-  for (std::size_t i = 0; i < buffers; ++i) {
+      kernel.name);
+  for (std::size_t i = 0; i < kernel.buffers; ++i) {
     xml += fmt::format(
         "<port name=\"M_AXI_GMEM{}\" mode=\"master\" range=\"0xFFFFFFFF\" dataWidth=\"64\" "
         "portType=\"addressable\" base=\"0x0\"/>",
         i);
   }
   unsigned offset = first_offset;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const bool buffer = i < buffers;
+  for (std::size_t i = 0; i < kernel.arguments.size(); ++i) {
+    const bool buffer = i < kernel.buffers;
     xml += fmt::format(
         "<arg name=\"{}\" addressQualifier=\"{}\" id=\"{}\" port=\"{}\" size=\"{:#x}\" offset=\"{:#x}\" "
         "hostOffset=\"0x0\" hostSize=\"{:#x}\" type=\"{}\"/>",
-        arguments[i], buffer ? 1 : 0, i, buffer ? fmt::format("M_AXI_GMEM{}", i) : "S_AXI_CONTROL",
+        kernel.arguments[i], buffer ? 1 : 0, i, buffer ? fmt::format("M_AXI_GMEM{}", i) : "S_AXI_CONTROL",
         buffer ? 8 : 4, offset, buffer ? 8 : 4, buffer ? "void*" : "uint");
     offset += buffer ? 12 : 8;
   }
   return xml + fmt::format(
-                   "<instance name=\"{0}_1\"><addrRemap base=\"0x1000000\" range=\"0x1000\" "
-                   "port=\"S_AXI_CONTROL\"/>"
-                   "</instance></kernel></core></device></platform></project>\n",
-                   kernel);
+                   "<instance name=\"{}_1\"><addrRemap base=\"{:#x}\" range=\"0x1000\" "
+                   "port=\"S_AXI_CONTROL\"/></instance></kernel>",
+                   kernel.name, base_address(place));
+}
+
+// What v++ writes about kernels, as far as XRT reads it.
+std::string metadata(const std::vector<XclbinKernel>& kernels) {
+  std::string xml =
+      "<?xml version=\"1.0\"?>\n<project name=\"sailmap\"><platform><device fpgaDevice=\"none\"><core "
+      "name=\"OCL_REGION_0\">";
+  for (std::size_t k = 0; k < kernels.size(); ++k) xml += metadata_of(kernels[k], k);
+  return xml + "</core></device></platform></project>\n";
 }
 
 std::string memory_topology() {
@@ -59,23 +66,40 @@ std::string memory_topology() {
   return bytes_of(topology);
 }
 
-std::string layout(const std::string& kernel) {
+// A table of xclbin.h: its head, which ends where the first of its entries begins, and these entries.
+template <class Table, class Entry>
+std::string table_of(const Table& head, std::size_t head_bytes, const std::vector<Entry>& entries) {
+  std::string out = bytes_of(head).substr(0, head_bytes);
+  for (const Entry& entry : entries) out += bytes_of(entry);
+  return out;
+}
+
+std::string layout(const std::vector<XclbinKernel>& kernels) {
   ip_layout layout{};
-  layout.m_count = 1;
-  ip_data& instance = layout.m_ip_data[0];
-  instance.m_type = IP_KERNEL;
-  instance.properties = AP_CTRL_HS << IP_CONTROL_SHIFT;
-  instance.m_base_address = 0x1000000;
-  std::strncpy(reinterpret_cast<char*>(instance.m_name), (kernel + ":" + kernel + "_1").c_str(),
-               sizeof instance.m_name - 1);
-  return bytes_of(layout);
+  layout.m_count = static_cast<std::int32_t>(kernels.size());
+  std::vector<ip_data> instances;
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
+    ip_data& instance = instances.emplace_back();
+    instance.m_type = IP_KERNEL;
+    instance.properties = AP_CTRL_HS << IP_CONTROL_SHIFT;
+    instance.m_base_address = base_address(k);
+    const std::string name = kernels[k].name + ":" + kernels[k].name + "_1";
+    std::strncpy(reinterpret_cast<char*>(instance.m_name), name.c_str(), sizeof instance.m_name - 1);
+  }
+  return table_of(layout, offsetof(ip_layout, m_ip_data), instances);
 }
 
 // Each buffer to the one bank of memory.
-std::string connections() {
-  std::string out = bytes_of(static_cast<std::int32_t>(buffers));
-  for (std::size_t i = 0; i < buffers; ++i) out += bytes_of(connection{static_cast<std::int32_t>(i), 0, 0});
-  return out;
+std::string connections(const std::vector<XclbinKernel>& kernels) {
+  connectivity table{};
+  std::vector<connection> all;
+  for (std::size_t k = 0; k < kernels.size(); ++k) {
+    for (std::size_t i = 0; i < kernels[k].buffers; ++i) {
+      all.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(k), 0});
+    }
+  }
+  table.m_count = static_cast<std::int32_t>(all.size());
+  return table_of(table, offsetof(connectivity, m_connection), all);
 }
 
 struct Section {
@@ -86,13 +110,13 @@ struct Section {
 
 }  // namespace
 
-std::string xclbin_of(const std::string& kernel, const std::vector<std::string>& arguments) {
-  const std::vector<Section> sections = {{EMBEDDED_METADATA, "metadata", metadata(kernel, arguments)},
+std::string xclbin_of(const std::vector<XclbinKernel>& kernels) {
+  const std::vector<Section> sections = {{EMBEDDED_METADATA, "metadata", metadata(kernels)},
                                          {MEM_TOPOLOGY, "memory", memory_topology()},
-                                         {IP_LAYOUT, "ip", layout(kernel)},
-                                         {CONNECTIVITY, "connectivity", connections()},
+                                         {IP_LAYOUT, "ip", layout(kernels)},
+                                         {CONNECTIVITY, "connectivity", connections(kernels)},
                                          {ASK_GROUP_TOPOLOGY, "group_memory", memory_topology()},
-                                         {ASK_GROUP_CONNECTIVITY, "group_conn", connections()},
+                                         {ASK_GROUP_CONNECTIVITY, "group_conn", connections(kernels)},
                                          {BITSTREAM, "bitstream", std::string(64, '\0')}};
   axlf head{};
   std::strcpy(head.m_magic, "xclbin2");

@@ -1,13 +1,19 @@
 // A small xclbin, put together from the public container header: enough of one for XRT to open a kernel.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace sailmap::testing {
 
-// The file's bytes: one instance of a kernel of that name, the first eight of its arguments buffers, the
-// others scalars of 32 bits.
-std::string xclbin_of(const std::string& kernel, const std::vector<std::string>& arguments);
+struct XclbinKernel {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::size_t buffers;  // so many of the arguments, the first; the others are scalars of 32 bits
+};
+
+// The file's bytes: one instance of each kernel.
+std::string xclbin_of(const std::vector<XclbinKernel>& kernels);
 
 }  // namespace sailmap::testing

@@ -25,6 +25,7 @@ struct AxiRegion<Config, 1, false> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_video_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_1.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -37,6 +38,7 @@ struct AxiRegion<Config, 1, true> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_video_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_1.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -49,6 +51,7 @@ struct AxiRegion<Config, 2, false> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_video_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_2.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -61,6 +64,7 @@ struct AxiRegion<Config, 2, true> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_video_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_2.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -73,6 +77,7 @@ struct AxiRegion<Config, 4, false> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_video_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_4.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -85,6 +90,7 @@ struct AxiRegion<Config, 4, true> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_video_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_4.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -97,6 +103,7 @@ struct AxiRegion<Config, 8, false> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_video_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_8.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -109,6 +116,7 @@ struct AxiRegion<Config, 8, true> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
 #include "sailmap/hls/region/0_video_in.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_8.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"

@@ -7,58 +7,19 @@
 // takes a word of every port and gives a beat of pixels a cycle.
 #pragma once
 
-#include <ap_int.h>
-
 #include "sailmap/hls/front_end.hpp"
+#include "sailmap/hls/memory_kernel.hpp"
 #include "sailmap/hls/memory_registers.h"
 #include "sailmap/hls/saliency.hpp"
 
 namespace sailmap {
 namespace hls {
 
-// Beat pixels of 32 bits, the left one lowest: R, G, B and nothing from low to high byte.
-template <int Beat>
-using memory_beat = ap_uint<8 * SAILMAP_PIXEL_BYTES * Beat>;
-
-// Byte `Component` (0 red, 1 green, 2 blue) of each pixel of a beat.
-template <int Beat, int Component>
-inline bytes_t<Beat> memory_component(const memory_beat<Beat>& beat) {
-  uint64_t word = 0;
-  for (int i = 0; i < Beat; ++i) {
-    const int low = 8 * (SAILMAP_PIXEL_BYTES * i + Component);
-    const uint64_t byte = beat.range(low + 7, low).to_uint();
-    word |= byte << (8 * i);
-  }
-  return static_cast<bytes_t<Beat> >(word);
-}
-
-// A frame from memory.
-template <class Config>
-void pixels_in(const memory_beat<Config::beat>* pixels, stream<bytes_t<Config::beat> >& red,
-               stream<bytes_t<Config::beat> >& green, stream<bytes_t<Config::beat> >& blue, uint16_t width,
-               uint16_t height) {
-  const int beats = width / Config::beat * height;
-  for (int i = 0; i < beats; ++i) {
-    SAILMAP_PIPELINE
-    const memory_beat<Config::beat> beat = pixels[i];
-    red.write(memory_component<Config::beat, 0>(beat));
-    green.write(memory_component<Config::beat, 1>(beat));
-    blue.write(memory_component<Config::beat, 2>(beat));
-  }
-}
-
 // A map, or the lanes of several, to memory. Port tells the instances apart.
 template <class Config, int Port, class Word>
 void map_to_memory(stream<Word>& in, Word* out, uint16_t width, uint16_t height) {
   const int words = geometry::base_side(width) * geometry::base_side(height);
   for (int i = 0; i < words; ++i) {
-    SAILMAP_PIPELINE
-    out[i] = in.read();
-  }
-}
-template <class Config>
-void statistics_to_memory(stream<uint32_t>& in, uint32_t* out) {
-  for (int i = 0; i < statistics_words; ++i) {
     SAILMAP_PIPELINE
     out[i] = in.read();
   }
@@ -77,6 +38,7 @@ template <class Config>
 struct MemoryRegion<Config, 1, false> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/0_pixels_in.inc"
 #include "sailmap/hls/region/1_to_base_1.inc"
 #include "sailmap/hls/region/2_levels.inc"
@@ -89,6 +51,7 @@ template <class Config>
 struct MemoryRegion<Config, 1, true> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/0_pixels_in.inc"
 #include "sailmap/hls/region/1_to_base_1.inc"
 #include "sailmap/hls/region/2_levels.inc"
@@ -101,6 +64,7 @@ template <class Config>
 struct MemoryRegion<Config, 2, false> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/0_pixels_in.inc"
 #include "sailmap/hls/region/1_to_base_2.inc"
 #include "sailmap/hls/region/2_levels.inc"
@@ -113,6 +77,7 @@ template <class Config>
 struct MemoryRegion<Config, 2, true> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/0_pixels_in.inc"
 #include "sailmap/hls/region/1_to_base_2.inc"
 #include "sailmap/hls/region/2_levels.inc"
@@ -125,6 +90,7 @@ template <class Config>
 struct MemoryRegion<Config, 4, false> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/0_pixels_in.inc"
 #include "sailmap/hls/region/1_to_base_4.inc"
 #include "sailmap/hls/region/2_levels.inc"
@@ -137,6 +103,7 @@ template <class Config>
 struct MemoryRegion<Config, 4, true> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/0_pixels_in.inc"
 #include "sailmap/hls/region/1_to_base_4.inc"
 #include "sailmap/hls/region/2_levels.inc"
@@ -149,6 +116,7 @@ template <class Config>
 struct MemoryRegion<Config, 8, false> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/0_pixels_in.inc"
 #include "sailmap/hls/region/1_to_base_8.inc"
 #include "sailmap/hls/region/2_levels.inc"
@@ -161,6 +129,7 @@ template <class Config>
 struct MemoryRegion<Config, 8, true> {
   static void run(SAILMAP_MEMORY_PORTS) {
 #pragma HLS dataflow
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/0_pixels_in.inc"
 #include "sailmap/hls/region/1_to_base_8.inc"
 #include "sailmap/hls/region/2_levels.inc"
@@ -169,40 +138,19 @@ struct MemoryRegion<Config, 8, true> {
   }
 };
 
-// What the kernel says of itself and of this start; all but the status.
-template <class Config>
-inline void report_out(uint32_t* report, uint32_t width, uint32_t height, uint32_t frame, bool taken) {
-  const uint32_t words[SAILMAP_REPORT_WORDS] = {
-      SAILMAP_MEMORY_VERSION,
-      Config::max_width,
-      Config::max_height,
-      Config::beat,
-      geometry::min_image_side,
-      width,
-      height,
-      frame,
-      taken ? static_cast<uint32_t>(geometry::base_side(static_cast<int>(width)) *
-                                    geometry::base_side(static_cast<int>(height)))
-            : 0,
-      SAILMAP_STATUS_BUSY};
-  for (int i = 0; i < SAILMAP_REPORT_WORDS; ++i) {
-    SAILMAP_PIPELINE
-    report[i] = words[i];
-  }
-}
-
 template <class Config>
 inline void memory_front_end(const memory_beat<Config::beat>* pixels, uint32_t* intensity_maps_out,
                              uint64_t* colour_maps_out, uint64_t* orientation_maps_out,
                              uint64_t* conspicuity_maps_out, uint16_t* saliency_out, uint32_t* statistics_out,
                              uint32_t* report, uint32_t width, uint32_t height, uint32_t frame) {
-  const bool taken = width <= Config::max_width && height <= Config::max_height &&
-                     Config::takes(static_cast<int>(width), static_cast<int>(height));
-  report_out<Config>(report, width, height, frame, taken);
-  if (!taken) {
+  if (!takes_frame<Config>(width, height)) {
+    report_out<Config>(report, SAILMAP_MEMORY_VERSION, width, height, frame, 0);
     report[SAILMAP_REPORT_STATUS] = SAILMAP_STATUS_REFUSED;
     return;
   }
+  report_out<Config>(report, SAILMAP_MEMORY_VERSION, width, height, frame,
+                     static_cast<uint32_t>(geometry::base_side(static_cast<int>(width)) *
+                                           geometry::base_side(static_cast<int>(height))));
   MemoryRegion<Config>::run(pixels, intensity_maps_out, colour_maps_out, orientation_maps_out,
                             conspicuity_maps_out, saliency_out, statistics_out, static_cast<uint16_t>(width),
                             static_cast<uint16_t>(height));

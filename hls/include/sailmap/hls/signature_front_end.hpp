@@ -22,7 +22,7 @@ template <class Config>
 struct SignatureFrontEnd<Config, 1, false> {
   static void run(SAILMAP_SIGNATURE_PORTS(uint8_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_signature_maps.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_1.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -34,7 +34,7 @@ template <class Config>
 struct SignatureFrontEnd<Config, 1, true> {
   static void run(SAILMAP_SIGNATURE_PORTS(uint8_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_signature_maps.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_1.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -46,7 +46,7 @@ template <class Config>
 struct SignatureFrontEnd<Config, 2, false> {
   static void run(SAILMAP_SIGNATURE_PORTS(uint16_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_signature_maps.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_2.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -58,7 +58,7 @@ template <class Config>
 struct SignatureFrontEnd<Config, 2, true> {
   static void run(SAILMAP_SIGNATURE_PORTS(uint16_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_signature_maps.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_2.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -70,7 +70,7 @@ template <class Config>
 struct SignatureFrontEnd<Config, 4, false> {
   static void run(SAILMAP_SIGNATURE_PORTS(uint32_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_signature_maps.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_4.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -82,7 +82,7 @@ template <class Config>
 struct SignatureFrontEnd<Config, 4, true> {
   static void run(SAILMAP_SIGNATURE_PORTS(uint32_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_signature_maps.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_4.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -94,7 +94,7 @@ template <class Config>
 struct SignatureFrontEnd<Config, 8, false> {
   static void run(SAILMAP_SIGNATURE_PORTS(uint64_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_signature_maps.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_8.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -106,7 +106,7 @@ template <class Config>
 struct SignatureFrontEnd<Config, 8, true> {
   static void run(SAILMAP_SIGNATURE_PORTS(uint64_t)) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_signature_maps.inc"
+#include "sailmap/hls/region/0_map_streams.inc"
 #include "sailmap/hls/region/1_to_base_8.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"

@@ -68,14 +68,16 @@ const char* name_of(ert_cmd_state state) {
 
 class NativeSlot : public Slot {
  public:
-  NativeSlot(const ::xrt::device& device, const ::xrt::kernel& kernel, const BufferSizes& sizes)
-      : run_(kernel) {
-    for (std::size_t i = 0; i < buffer_count; ++i) {
-      const auto argument = static_cast<int>(i);
+  NativeSlot(const ::xrt::device& device, const ::xrt::kernel& kernel, const KernelInterface& interface,
+             const BufferSizes& sizes)
+      : interface_(interface), run_(kernel) {
+    int argument = 0;
+    for (const Buffer buffer : interface.buffers) {
+      const std::size_t i = index_of(buffer);
       buffers_[i] =
           ::xrt::bo(device, in_pages(sizes[i]), static_cast<::xrt::memory_group>(kernel.group_id(argument)));
       mapped_[i] = {buffers_[i].map<std::byte*>(), buffers_[i].size()};
-      run_.set_arg(argument, buffers_[i]);
+      run_.set_arg(argument++, buffers_[i]);
     }
   }
 
@@ -83,12 +85,12 @@ class NativeSlot : public Slot {
 
   void start(const Call& call) override {
     with_xrt("starting the kernel", [&] {
-      used_ = buffer_sizes(call.width, call.height);
+      used_ = buffer_sizes(interface_, call.width, call.height);
       sync(Buffer::pixels, XCL_BO_SYNC_BO_TO_DEVICE);
       sync(Buffer::report, XCL_BO_SYNC_BO_TO_DEVICE);
-      run_.set_arg(buffer_count, call.width);
-      run_.set_arg(buffer_count + 1, call.height);
-      run_.set_arg(buffer_count + 2, call.frame);
+      const auto scalars = scalars_of(call);
+      auto argument = static_cast<int>(interface_.buffers.size());
+      for (std::size_t i = 0; i < interface_.scalars; ++i) run_.set_arg(argument++, scalars[i]);
       run_.start();
     });
   }
@@ -102,9 +104,8 @@ class NativeSlot : public Slot {
       if (state != ERT_CMD_STATE_COMPLETED) {
         throw DeviceError(std::string("the kernel ended with: ") + name_of(state));
       }
-      for (std::size_t i = index_of(Buffer::intensity_maps); i < buffer_count; ++i) {
-        sync(static_cast<Buffer>(i), XCL_BO_SYNC_BO_FROM_DEVICE);
-      }
+      // Pixels, the first of them, only go there.
+      for (const Buffer buffer : interface_.buffers.subspan(1)) sync(buffer, XCL_BO_SYNC_BO_FROM_DEVICE);
       return Outcome::done;
     });
   }
@@ -115,38 +116,62 @@ class NativeSlot : public Slot {
     if (bytes > 0) buffers_[index_of(buffer)].sync(direction, bytes, 0);
   }
 
+  KernelInterface interface_;
   ::xrt::run run_;
   std::array<::xrt::bo, buffer_count> buffers_;
   std::array<std::span<std::byte>, buffer_count> mapped_;
   BufferSizes used_{};
 };
 
+// A kernel of the card.
+struct NativeKernel {
+  KernelInterface interface;
+  ::xrt::kernel kernel;
+};
+
 class NativeDevice : public Device {
  public:
-  NativeDevice(std::string name, ::xrt::device device, ::xrt::kernel kernel)
-      : name_(std::move(name)), device_(std::move(device)), kernel_(std::move(kernel)) {}
+  NativeDevice(std::string name, ::xrt::device device, std::vector<NativeKernel> kernels)
+      : name_(std::move(name)), device_(std::move(device)), kernels_(std::move(kernels)) {}
 
   [[nodiscard]] std::string name() const override { return name_; }
-  [[nodiscard]] std::unique_ptr<Slot> make_slot(const BufferSizes& sizes) override {
-    return with_xrt("making buffers", [&] { return std::make_unique<NativeSlot>(device_, kernel_, sizes); });
+  [[nodiscard]] std::vector<KernelInterface> kernels() const override {
+    std::vector<KernelInterface> interfaces;
+    for (const NativeKernel& kernel : kernels_) interfaces.push_back(kernel.interface);
+    return interfaces;
+  }
+  [[nodiscard]] std::unique_ptr<Slot> make_slot(const KernelInterface& kernel,
+                                                const BufferSizes& sizes) override {
+    const auto found = std::ranges::find(kernels_, kernel, &NativeKernel::interface);
+    return with_xrt("making buffers", [&] {
+      return std::make_unique<NativeSlot>(device_, found->kernel, found->interface, sizes);
+    });
   }
 
  private:
   std::string name_;
   ::xrt::device device_;
-  ::xrt::kernel kernel_;
+  std::vector<NativeKernel> kernels_;
 };
 
-void demand_kernel(const ::xrt::xclbin& file, const std::string& path) {
+// The known kernels of a file; throws DeviceError when there is none, or one has other arguments.
+std::vector<KernelInterface> kernels_of(const ::xrt::xclbin& file, const std::string& path) {
+  std::vector<KernelInterface> found;
   const auto kernels = file.get_kernels();
-  const auto kernel = std::ranges::find_if(
-      kernels, [](const auto& candidate) { return candidate.get_name() == SAILMAP_MEMORY_KERNEL; });
-  if (kernel == kernels.end()) throw DeviceError(path + ": has no kernel " SAILMAP_MEMORY_KERNEL);
-  const auto arguments = kernel->get_args();
-  const bool equal =
-      std::ranges::equal(arguments, argument_names,
-                         [](const auto& argument, const char* name) { return argument.get_name() == name; });
-  if (!equal) throw DeviceError(path + ": its kernel " SAILMAP_MEMORY_KERNEL " has other arguments");
+  for (const KernelInterface& known : known_kernels) {
+    const auto kernel = std::ranges::find_if(
+        kernels, [&](const auto& candidate) { return candidate.get_name() == known.name; });
+    if (kernel == kernels.end()) continue;
+    const bool equal = std::ranges::equal(
+        kernel->get_args(), argument_names(known),
+        [](const auto& argument, const std::string& name) { return argument.get_name() == name; });
+    if (!equal) throw DeviceError(path + ": its kernel " + known.name + " has other arguments");
+    found.push_back(known);
+  }
+  if (found.empty()) {
+    throw DeviceError(path + ": has no kernel " SAILMAP_MEMORY_KERNEL " or " SAILMAP_SIGNATURE_KERNEL);
+  }
+  return found;
 }
 
 }  // namespace
@@ -155,13 +180,17 @@ std::unique_ptr<Device> open_native_device(const std::string& xclbin, unsigned i
   check_xclbin(xclbin);
   silence_log();
   const ::xrt::xclbin file = with_xrt(xclbin, [&] { return ::xrt::xclbin(xclbin); });
-  with_xrt(xclbin, [&] { demand_kernel(file, xclbin); });
+  const auto interfaces = with_xrt(xclbin, [&] { return kernels_of(file, xclbin); });
   const std::string name = "device " + std::to_string(index);
   auto device = with_xrt(name + " cannot be opened", [&] { return ::xrt::device(index); });
   return with_xrt(name + " does not take " + xclbin, [&] {
     const ::xrt::uuid uuid = device.load_xclbin(file);
-    ::xrt::kernel kernel(device, uuid, SAILMAP_MEMORY_KERNEL);
-    return std::make_unique<NativeDevice>(name, device, std::move(kernel));
+    std::vector<NativeKernel> kernels;
+    kernels.reserve(interfaces.size());
+    for (const KernelInterface& interface : interfaces) {
+      kernels.push_back({interface, ::xrt::kernel(device, uuid, interface.name)});
+    }
+    return std::make_unique<NativeDevice>(name, device, std::move(kernels));
   });
 }
 

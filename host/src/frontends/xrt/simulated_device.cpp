@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <sstream>
 #include <thread>
 #include <utility>
@@ -14,7 +15,7 @@
 namespace sailmap::fpga {
 namespace {
 
-constexpr std::array<std::pair<const char*, Fault>, 8> fault_names = {
+constexpr std::array<std::pair<const char*, Fault>, 9> fault_names = {
     {{"no-device", Fault::no_device},
      {"wrong-xclbin", Fault::wrong_xclbin},
      {"wrong-kernel", Fault::wrong_kernel},
@@ -22,13 +23,15 @@ constexpr std::array<std::pair<const char*, Fault>, 8> fault_names = {
      {"hang", Fault::hang},
      {"lost", Fault::lost},
      {"wrong-length", Fault::wrong_length},
-     {"wrong-frame", Fault::wrong_frame}}};
+     {"wrong-frame", Fault::wrong_frame},
+     {"damaged-record", Fault::damaged_record}}};
 
 class SimulatedDevice;
 
 class SimulatedSlot : public Slot {
  public:
-  SimulatedSlot(SimulatedDevice& device, const BufferSizes& sizes) : device_(device) {
+  SimulatedSlot(SimulatedDevice& device, const KernelInterface& kernel, const BufferSizes& sizes)
+      : device_(device), kernel_(kernel) {
     for (std::size_t i = 0; i < buffer_count; ++i) memory_[i].resize(sizes[i]);
   }
   [[nodiscard]] std::span<std::byte> memory(Buffer buffer) override { return memory_[index_of(buffer)]; }
@@ -39,6 +42,7 @@ class SimulatedSlot : public Slot {
   friend class SimulatedDevice;
 
   SimulatedDevice& device_;
+  KernelInterface kernel_;
   std::array<std::vector<std::byte>, buffer_count> memory_;
   // Guarded by the device's mutex.
   Call call_;
@@ -52,8 +56,10 @@ class SimulatedDevice : public Device {
       : simulation_(std::move(simulation)), card_([this](const std::stop_token& stop) { work(stop); }) {}
 
   [[nodiscard]] std::string name() const override { return "simulated device"; }
-  [[nodiscard]] std::unique_ptr<Slot> make_slot(const BufferSizes& sizes) override {
-    return std::make_unique<SimulatedSlot>(*this, sizes);
+  [[nodiscard]] std::vector<KernelInterface> kernels() const override { return simulation_.kernels; }
+  [[nodiscard]] std::unique_ptr<Slot> make_slot(const KernelInterface& kernel,
+                                                const BufferSizes& sizes) override {
+    return std::make_unique<SimulatedSlot>(*this, kernel, sizes);
   }
 
   [[nodiscard]] bool closes_after_fault() const override { return true; }
@@ -116,8 +122,10 @@ class SimulatedDevice : public Device {
     const auto report = slot.words<std::uint32_t>(Buffer::report, std::size_t{4} * SAILMAP_REPORT_WORDS);
     if (simulation_.fault == Fault::other_version) report[SAILMAP_REPORT_VERSION] += 1;
     if (!slot.faulty_) return;
-    if (simulation_.fault == Fault::wrong_length) report[SAILMAP_REPORT_MAP_WORDS] -= 8;
+    if (simulation_.fault == Fault::wrong_length) report[SAILMAP_REPORT_OUTPUT_WORDS] -= 8;
     if (simulation_.fault == Fault::wrong_frame) report[SAILMAP_REPORT_FRAME] -= 1;
+    const auto record = slot.words<std::uint32_t>(Buffer::record, slot.memory(Buffer::record).size());
+    if (simulation_.fault == Fault::damaged_record && !record.empty()) record.front() += 1;
   }
 
   void work(const std::stop_token& stop) {
@@ -125,7 +133,7 @@ class SimulatedDevice : public Device {
       const bool never_done =
           slot->faulty_ && (simulation_.fault == Fault::hang || simulation_.fault == Fault::lost);
       if (never_done) continue;
-      run_kernel(*slot, slot->call_, simulation_.limits);
+      run_kernel(slot->kernel_, *slot, slot->call_, simulation_.limits);
       spoil(*slot);
       const std::lock_guard lock(mutex_);
       slot->done_ = true;
@@ -149,6 +157,14 @@ class SimulatedDevice : public Device {
 void SimulatedSlot::start(const Call& call) { device_.start(*this, call); }
 Outcome SimulatedSlot::wait(std::chrono::milliseconds timeout) { return device_.wait(*this, timeout); }
 
+// What a word of simulation_from_text says of the kernels; nothing when it does not.
+std::optional<std::vector<KernelInterface>> kernels_from_word(const std::string& word) {
+  if (word == "maps") return std::vector{maps_kernel};
+  if (word == "signature") return std::vector{signature_kernel};
+  if (word == "both") return std::vector{maps_kernel, signature_kernel};
+  return std::nullopt;
+}
+
 }  // namespace
 
 Simulation simulation_from_text(const std::string& text) {
@@ -156,11 +172,17 @@ Simulation simulation_from_text(const std::string& text) {
   std::istringstream words(text);
   char x = 0;
   char y = 0;
-  std::string fault;
   words >> simulation.limits.max_width >> x >> simulation.limits.max_height >> y >> simulation.limits.beat;
   const bool good = words && x == 'x' && y == 'x';
+  std::string fault;
+  words >> fault;
+  if (const auto kernels = kernels_from_word(fault)) {
+    simulation.kernels = *kernels;
+    fault.clear();
+    words >> fault;
+  }
   int count = 0;
-  if (words >> fault && !(words >> count)) count = 0;
+  if (!fault.empty() && !(words >> count)) count = 0;
   if (good && fault == "gather" && count > 0) {
     simulation.gather = count;
     return simulation;
@@ -169,7 +191,7 @@ Simulation simulation_from_text(const std::string& text) {
       std::ranges::find_if(fault_names, [&](const auto& entry) { return fault == entry.first; });
   if (!good || (!fault.empty() && found == fault_names.end())) {
     throw Error("no simulated device '" + text +
-                "': WIDTHxHEIGHTxBEAT [FAULT [GOOD-FRAMES] | gather FRAMES]");
+                "': WIDTHxHEIGHTxBEAT [maps | signature | both] [FAULT [GOOD-FRAMES] | gather FRAMES]");
   }
   if (!fault.empty()) simulation.fault = found->second;
   simulation.good_frames = count;
@@ -183,7 +205,8 @@ std::unique_ptr<Device> open_simulated_device(const Simulation& simulation) {
     case Fault::wrong_xclbin:
       throw DeviceError("simulated device: the xclbin is for another card");
     case Fault::wrong_kernel:
-      throw DeviceError("simulated device: the xclbin has no kernel " SAILMAP_MEMORY_KERNEL);
+      throw DeviceError("simulated device: the xclbin has no kernel " SAILMAP_MEMORY_KERNEL
+                        " or " SAILMAP_SIGNATURE_KERNEL);
     default:
       return std::make_unique<SimulatedDevice>(simulation);
   }

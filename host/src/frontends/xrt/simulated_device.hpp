@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "device.hpp"
 
@@ -17,11 +18,12 @@ enum class Fault {
   other_version,  // of the interface, in every report
   hang,           // frames are started and never done
   lost,           // every use of the device fails
-  wrong_length,   // the report tells of maps of another length
-  wrong_frame     // the report tells of another frame: outputs mixed up
+  wrong_length,   // the report tells of an output of another length
+  wrong_frame,    // the report tells of another frame: outputs mixed up
+  damaged_record  // the signature is none
 };
 
-// What the kernel of the card is built for.
+// What the kernels of the card are built for.
 struct KernelLimits {
   std::uint32_t max_width = 640;
   std::uint32_t max_height = 480;
@@ -29,6 +31,7 @@ struct KernelLimits {
 };
 
 struct Simulation {
+  std::vector<KernelInterface> kernels = {maps_kernel};
   KernelLimits limits;
   Fault fault = Fault::none;
   int good_frames = 0;  // before the fault, where it is one of frames
@@ -39,15 +42,16 @@ struct Simulation {
   std::function<void(int)> on_start;
 };
 
-// "640x480x4": largest frame and pixels a beat; "640x480x4 hang 3": a fault as well, by the name above with a
-// hyphen for each underscore, after so many good frames (none: 0); "640x480x4 gather 2": Simulation::gather.
-// Throws Error when it is no such text.
+// "640x480x4": largest frame and pixels a beat; behind it, if wanted, which kernels the card has: "640x480x4
+// maps" (as without), "640x480x4 signature" or "640x480x4 both"; and a fault as well: "640x480x4 hang 3", by
+// the name above with a hyphen for each underscore, after so many good frames (none: 0), or "640x480x4 gather
+// 2": Simulation::gather. Throws Error when it is no such text.
 Simulation simulation_from_text(const std::string& text);
 
 // Throws DeviceError, as open_native_device, for the faults that show here.
 std::unique_ptr<Device> open_simulated_device(const Simulation& simulation);
 
-// What the kernel does when it is started: reads and writes the buffers.
-void run_kernel(Slot& slot, const Call& call, const KernelLimits& limits);
+// What a kernel does when it is started: reads and writes the buffers.
+void run_kernel(const KernelInterface& kernel, Slot& slot, const Call& call, const KernelLimits& limits);
 
 }  // namespace sailmap::fpga

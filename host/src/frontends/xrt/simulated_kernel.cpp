@@ -1,9 +1,11 @@
-// The kernel sailmap_memory over the C simulation of its stages.
+// The kernels between memory and memory over the C simulation of their regions.
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
+#include "sailmap/csim/signature.hpp"
 #include "sailmap/csim/simulate.hpp"
 #include "simulated_device.hpp"
 
@@ -42,11 +44,33 @@ void put_maps(Slot& slot, const csim::FrontEndWords& words) {
   put(slot, Buffer::statistics, words.statistics);
 }
 
+// As a kernel takes 32 bits for a parameter of 16.
+std::uint16_t saturated(std::uint32_t value) {
+  return static_cast<std::uint16_t>(std::min<std::uint32_t>(value, UINT16_MAX));
+}
+
+// The output of a frame that the kernel takes; how many words it has.
+std::size_t put_output(const KernelInterface& kernel, Slot& slot, const Call& call, int beat) {
+  const std::array<csim::Frame, 1> frames = {frame_of(slot.memory(Buffer::pixels), call)};
+  csim::Scheduler scheduler;
+  if (kernel == maps_kernel) {
+    const auto words = csim::simulate(frames, beat, scheduler).front();
+    put_maps(slot, words);
+    return words.saliency.size();
+  }
+  const auto record =
+      csim::simulate_records(
+          frames, beat, {saturated(call.max_regions), call.stop_ratio, saturated(call.box_side)}, scheduler)
+          .front();
+  put(slot, Buffer::record, record);
+  return record.size();
+}
+
 }  // namespace
 
-void run_kernel(Slot& slot, const Call& call, const KernelLimits& limits) {
+void run_kernel(const KernelInterface& kernel, Slot& slot, const Call& call, const KernelLimits& limits) {
   std::vector<std::uint32_t> report(SAILMAP_REPORT_WORDS);
-  report[SAILMAP_REPORT_VERSION] = SAILMAP_MEMORY_VERSION;
+  report[SAILMAP_REPORT_VERSION] = kernel.version;
   report[SAILMAP_REPORT_MAX_WIDTH] = limits.max_width;
   report[SAILMAP_REPORT_MAX_HEIGHT] = limits.max_height;
   report[SAILMAP_REPORT_BEAT] = limits.beat;
@@ -56,11 +80,8 @@ void run_kernel(Slot& slot, const Call& call, const KernelLimits& limits) {
   report[SAILMAP_REPORT_FRAME] = call.frame;
   report[SAILMAP_REPORT_STATUS] = SAILMAP_STATUS_REFUSED;
   if (takes(limits, call)) {
-    const std::array<csim::Frame, 1> frames = {frame_of(slot.memory(Buffer::pixels), call)};
-    csim::Scheduler scheduler;
-    const auto words = csim::simulate(frames, static_cast<int>(limits.beat), scheduler).front();
-    put_maps(slot, words);
-    report[SAILMAP_REPORT_MAP_WORDS] = static_cast<std::uint32_t>(words.saliency.size());
+    const std::size_t words = put_output(kernel, slot, call, static_cast<int>(limits.beat));
+    report[SAILMAP_REPORT_OUTPUT_WORDS] = static_cast<std::uint32_t>(words);
     report[SAILMAP_REPORT_STATUS] = SAILMAP_STATUS_DONE;
   }
   put(slot, Buffer::report, report);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <mutex>
+#include <set>
 #include <utility>
 
 #include "frontends/frontends.hpp"
+#include "frontends/signature_record.hpp"
 #include "shared_device.hpp"
 #include "simulated_device.hpp"
 
@@ -18,35 +20,50 @@ class XrtService {
     try {
       device_ = std::make_unique<SharedDevice>(open(), settings.timeout, settings.frames_in_flight);
     } catch (const DeviceError& fault) {
-      fall_back(fault);
+      fall_back(fault, Cause::device);
     }
   }
 
   // False when the fallback is to compute the image instead.
   bool compute(const ImageView& image, Maps& maps) {
-    if (!device_) return false;
-    try {
-      device_->compute(image, maps);
-      return true;
-    } catch (const DeviceError& fault) {
-      fall_back(fault);
-    } catch (const Error& fault) {  // the image's size
-      fall_back(fault);
-    }
-    return false;
+    return with_device([&] { device_->compute(image, maps); },
+                       device_ && !device_->has(maps_kernel) ? Cause::no_maps : Cause::device);
+  }
+
+  // Whether signatures come from a kernel of the device rather than of its maps.
+  [[nodiscard]] bool makes_signatures() const { return device_ && device_->has(signature_kernel); }
+  // The same for one of them.
+  bool describe(const ImageView& image, const ChipParameters& asked, Signature& signature) {
+    return with_device([&] { device_->describe(image, asked, signature); }, Cause::device);
   }
 
   [[nodiscard]] const std::string& fallback() const { return settings_.fallback; }
 
  private:
-  // Throws the fault where nothing is to take over; tells of the first one otherwise.
+  // Why the fallback takes over: each is another thing to tell.
+  enum class Cause { device, image_size, no_maps };
+
+  // Whether the device did the work; a fault of it has that cause.
+  template <class Work>
+  bool with_device(Work work, Cause cause) {
+    if (!device_) return false;
+    try {
+      work();
+      return true;
+    } catch (const DeviceError& fault) {
+      fall_back(fault, cause);
+    } catch (const Error& fault) {
+      fall_back(fault, Cause::image_size);
+    }
+    return false;
+  }
+
+  // Throws the fault where nothing is to take over; tells of the first one of its cause otherwise.
   template <class Fault>
-  void fall_back(const Fault& fault) {
+  void fall_back(const Fault& fault, Cause cause) {
     if (settings_.fallback.empty()) throw fault;
     const std::lock_guard lock(mutex_);
-    // A device that fails after an image was too large is another thing to tell.
-    bool& told = std::is_same_v<Fault, DeviceError> ? told_of_device_ : told_of_size_;
-    if (!std::exchange(told, true) && settings_.warn) {
+    if (told_.insert(cause).second && settings_.warn) {
       settings_.warn(std::string("xrt: ") + fault.what() + "; the front end " + settings_.fallback +
                      " takes over, which computes the same");
     }
@@ -55,8 +72,7 @@ class XrtService {
   XrtSettings settings_;
   std::unique_ptr<SharedDevice> device_;
   std::mutex mutex_;
-  bool told_of_device_ = false;
-  bool told_of_size_ = false;
+  std::set<Cause> told_;
 };
 
 namespace {
@@ -69,12 +85,30 @@ class Xrt : public Frontend {
 
   void compute(const ImageView& image, Maps& maps) override {
     check_image_size(image);
-    if (service_->compute(image, maps)) return;
-    if (!fallback_) fallback_ = make_frontend(service_->fallback());
-    fallback_->compute(image, maps);
+    if (!service_->compute(image, maps)) fallback().compute(image, maps);
+  }
+
+  // A signature of the card's own comes without maps.
+  void describe(const ImageView& image, const RegionConfig& regions, Maps& maps,
+                Signature& signature) override {
+    if (regions.signature == SignatureMaker::host || !service_->makes_signatures()) {
+      Frontend::describe(image, regions, maps, signature);
+      return;
+    }
+    check_image_size(image);
+    if (service_->describe(image, chip_parameters(regions), signature)) {
+      maps = Maps();
+    } else {
+      fallback().describe(image, regions, maps, signature);
+    }
   }
 
  private:
+  Frontend& fallback() {
+    if (!fallback_) fallback_ = make_frontend(service_->fallback());
+    return *fallback_;
+  }
+
   std::shared_ptr<XrtService> service_;
   std::unique_ptr<Frontend> fallback_;
 };

@@ -34,11 +34,18 @@ void read_words(Stream<T>& in, std::size_t count, std::vector<T>& out) {
   for (T& word : out) word = in.read();
 }
 
-// Back to back through one network, each frame of its own size. Throws std::invalid_argument when Config does
-// not take a frame, NetworkError when the network is wrong.
+// One component of frames back to back into a network.
+template <int Beat>
+void feed_component(Scheduler& scheduler, Stream<hls::bytes_t<Beat>>& stream, std::span<const Frame> frames,
+                    std::size_t component) {
+  scheduler.launch("source of " + stream.name(), {&stream}, [frames, &stream, component] {
+    for (const Frame& frame : frames) write_component<Beat>(stream, frame, component);
+  });
+}
+
+// Throws std::invalid_argument when Config does not take a frame.
 template <class Config>
-std::vector<FrontEndWords> run_front_end(std::span<const Frame> frames, Scheduler& scheduler) {
-  using Word = hls::bytes_t<Config::beat>;
+void demand_sizes(std::span<const Frame> frames) {
   for (const Frame& frame : frames) {
     if (Config::takes(frame.width, frame.height)) continue;
     throw std::invalid_argument("a frame of " + std::to_string(frame.width) + "x" +
@@ -46,6 +53,14 @@ std::vector<FrontEndWords> run_front_end(std::span<const Frame> frames, Schedule
                                 std::to_string(Config::max_width) + "x" + std::to_string(Config::max_height) +
                                 " with " + std::to_string(Config::beat) + " pixels a beat");
   }
+}
+
+// Back to back through one network, each frame of its own size. Throws std::invalid_argument when Config does
+// not take a frame, NetworkError when the network is wrong.
+template <class Config>
+std::vector<FrontEndWords> run_front_end(std::span<const Frame> frames, Scheduler& scheduler) {
+  using Word = hls::bytes_t<Config::beat>;
+  demand_sizes<Config>(frames);
   Stream<Word> red("red");
   Stream<Word> green("green");
   Stream<Word> blue("blue");
@@ -57,14 +72,9 @@ std::vector<FrontEndWords> run_front_end(std::span<const Frame> frames, Schedule
   Stream<std::uint32_t> statistics("statistics");
   std::vector<FrontEndWords> out(frames.size());
 
-  const auto feed = [&](const char* name, Stream<Word>& stream, std::size_t component) {
-    scheduler.launch(name, {&stream}, [frames, &stream, component] {
-      for (const Frame& frame : frames) write_component<Config::beat>(stream, frame, component);
-    });
-  };
-  feed("source of red", red, 0);
-  feed("source of green", green, 1);
-  feed("source of blue", blue, 2);
+  feed_component<Config::beat>(scheduler, red, frames, 0);
+  feed_component<Config::beat>(scheduler, green, frames, 1);
+  feed_component<Config::beat>(scheduler, blue, frames, 2);
   for (const Frame& frame : frames) {
     hls::FrontEnd<Config>::run(
         red, green, blue, intensity_maps, colour_maps, orientation_maps, conspicuity_maps, saliency,

@@ -1,8 +1,9 @@
-// The signature kernel in C simulation: what the front end put out of a frame goes in, the packed record of
-// hls/signature_record.hpp comes out.
+// The signature kernel in C simulation, alone or behind the front end: what the front end put out of a frame,
+// or the frame, goes in, the packed record of hls/signature_record.hpp comes out.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sailmap/csim/frame.hpp"
@@ -21,5 +22,10 @@ struct SignatureParameters {
 // std::invalid_argument when the words are not those of such a frame.
 std::vector<std::uint32_t> simulate_signature(const FrontEndWords& words, int width, int height,
                                               const SignatureParameters& parameters, Scheduler& scheduler);
+
+// Of frames back to back through one network of front end and signature; as simulate() in simulate.hpp.
+std::vector<std::vector<std::uint32_t>> simulate_records(std::span<const Frame> frames, int beat,
+                                                         const SignatureParameters& parameters,
+                                                         Scheduler& scheduler);
 
 }  // namespace sailmap::csim
