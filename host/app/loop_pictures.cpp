@@ -26,7 +26,7 @@ struct Drawn {
 class LoopDrawer {
  public:
   LoopDrawer(const StoredMap& stored, const PictureOptions& options)
-      : map_(stored.map), options_(options), frontend_(make_frontend(stored.frontend)) {}
+      : map_(stored.map), options_(options), frontend_(make_frontend_without_hardware(stored.frontend)) {}
 
   // The pair is described and matched anew: a dense map does not keep the signatures of images that closed a
   // loop. `update` has a best node.

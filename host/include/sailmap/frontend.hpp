@@ -36,4 +36,8 @@ void check_signature(std::string_view frontend, const RegionConfig& regions);
 // Throws Error when there is no front end of that name.
 std::unique_ptr<Frontend> make_frontend(std::string_view name);
 
+// One with the same maps, bit for bit, that needs no hardware: `fixed` for `xrt`. To look again at the images
+// of a map that was made on a card, which need not be there any more.
+std::unique_ptr<Frontend> make_frontend_without_hardware(std::string_view name);
+
 }  // namespace sailmap

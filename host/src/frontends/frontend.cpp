@@ -51,6 +51,10 @@ std::unique_ptr<Frontend> make_frontend(std::string_view name) {
   throw Error("no front end '" + std::string(name) + "'; there are: " + known);
 }
 
+std::unique_ptr<Frontend> make_frontend_without_hardware(std::string_view name) {
+  return make_frontend(name == "xrt" ? "fixed" : name);
+}
+
 void check_image_size(const ImageView& image) {
   using namespace hls::geometry;
   if (valid_side(image.width) && valid_side(image.height)) return;

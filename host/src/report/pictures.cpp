@@ -51,7 +51,7 @@ cv::Mat coloured(const Map& map) {
 }  // namespace
 
 Looker::Looker(const std::string& frontend, const RegionConfig& regions, fs::path image_root)
-    : frontend_(frontend.empty() ? nullptr : make_frontend(frontend)),
+    : frontend_(frontend.empty() ? nullptr : make_frontend_without_hardware(frontend)),
       regions_(regions),
       image_root_(std::move(image_root)) {}
 

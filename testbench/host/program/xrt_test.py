@@ -32,6 +32,18 @@ class Xrt(ProgramCase):
         self.errors = errors
         return [line for line in printed if line.startswith("loop closure")], exported
 
+    def test_a_map_of_a_card_is_looked_at_without_the_card(self):
+        self.device(GOOD)
+        self.drive()
+        loops, _ = self.run_and_list("--frontend", "xrt", "--xclbin", "k", "--threshold", "1", out="card.map")
+        self.assertTrue(loops)
+        os.environ.pop("SAILMAP_SIMULATED_DEVICE")
+        self.run_program("report", "card.map", "-o", "card.html")
+        self.assertEqual(self.errors, "")
+        self.run_program("loops", "card.map", "--pictures", "pairs")
+        self.assertEqual(self.errors, "")
+        self.assertEqual(len(list((self.folder / "pairs").iterdir())), len(loops))
+
     def test_needs_an_xclbin(self):
         self.write_image("a.png", scene(1))
         for command in (("detect", "a.png", "--out", "out"), ("run", ".", "--map", "m.db"), ("match", "a.png", "a.png")):
