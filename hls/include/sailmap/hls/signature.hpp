@@ -113,7 +113,7 @@ struct RegionSums {
 
 // The gains of the feature maps from their statistics.
 template <class Config>
-inline void keep_gains(stream<uint32_t>& statistics) {
+SAILMAP_INLINED void keep_gains(stream<uint32_t>& statistics) {
   using Kept = KeptMaps<Config>;
   uint32_t maximum = 0;
 #pragma nounroll
