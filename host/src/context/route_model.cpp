@@ -12,9 +12,9 @@ namespace {
 constexpr std::array<double, 7> usual_steps = {0.15, 0.33, 0.2, 0.12, 0.08, 0.07, 0.05};
 constexpr double worth_of_usual_steps = 6;
 
-// A path is thought to break off at every third image, until some five images showed how it is.
+// A path is thought to break off at every third image, until some ten images showed how it is.
 constexpr double cautious_breaks = 0.3;
-constexpr double worth_of_caution = 5;
+constexpr double worth_of_caution = 10;
 constexpr double fewest_breaks = 0.02, most_breaks = 0.98;
 // The same for what must not be done where paths break: hardly ever, until the first break is seen.
 constexpr double rare_breaks = 0.03;
