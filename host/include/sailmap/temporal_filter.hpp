@@ -2,22 +2,20 @@
 // for either direction of travel and for changing speed (docs/recognition.md).
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "sailmap/ref/plane.hpp"
+#include "sailmap/route_model.hpp"
+#include "sailmap/score_evidence.hpp"
 #include "sailmap/similarity.hpp"
 
 namespace sailmap {
 
 struct TemporalConfig {
-  int images =
-      0;  // how long evidence lasts, 0 .. 1000: after so many images 1/e of it is left; 0 or 1: no filter
-  // What counts as similar in the method's scale, > 0: scores are compressed by s / (s + scale) inside the
-  // filter, so that one outlier does not outweigh a sequence. Infinity: the scores are within 0 and 1
-  // already.
+  int images = 0;  // how long it remembers how the images were ordered, 0 .. 1000; 0 or 1: no filter
+  // The score that means even odds in the method's scale, > 0. Infinity: the scores are within 0 and 1, and
+  // 0.5 means even odds.
   double scale = 1;
 };
 
@@ -32,28 +30,24 @@ class TemporalFilter {
   // filtered scores in the method's scale.
   std::vector<float> apply(std::span<const float> scores);
 
-  // How far sequences, at the speed that suits best, have foretold the best candidates so far, 0 .. 1: the
-  // weight of the filter's own evidence.
-  [[nodiscard]] double trust() const;
+  // How sure it is that the images follow a route travelled before, 0 .. 1: the filter's weight.
+  [[nodiscard]] double trust() const { return route_.trust(); }
 
  private:
-  // What the filter knows under one assumption about the speed of travel.
-  struct Track {
-    std::vector<float> forward;  // evidence along the best path that ends at each candidate
-    std::vector<float> backward;
-    double right = 0;  // decayed evidence for best candidates that were foretold ...
-    double all = 0;    // ... and for all best candidates
-    [[nodiscard]] double trust() const { return right / all; }
+  // What the images before say about the candidates of one image.
+  struct Support {
+    std::vector<float> factors;  // of the odds that stand out
+    std::vector<float> missed;   // odds to be added, where the route led to what the image alone did not show
   };
-  static constexpr std::size_t speeds = 3;
 
-  [[nodiscard]] const Track& most_trusted() const;
-  // Carries a track on to an image of these scores; returns the evidence for each candidate.
-  std::vector<float> advance(std::size_t speed, const std::vector<float>& single);
+  [[nodiscard]] bool repeats(std::span<const float> scores) const;
+  [[nodiscard]] Support support(const ScoreEvidence::Row& row);
 
   TemporalConfig config_;
-  float keep_ = 0;  // part of the evidence kept from image to image
-  std::array<Track, speeds> tracks_;
+  ScoreEvidence evidence_;
+  RouteModel route_;
+  std::vector<float> last_scores_;
+  Support last_support_;
 };
 
 // What fits a method: the scale is its default threshold, or none for `context`, whose scores are calibrated.

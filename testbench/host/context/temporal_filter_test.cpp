@@ -74,6 +74,36 @@ TEST(TemporalFilter, HarmsRevisitsWithoutOrderByNoMoreThanAHundredth) {
   }
 }
 
+TEST(TemporalFilter, HarmsShortPiecesAndDroppedImagesByNoMoreThanAHundredth) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    // Three images of the route, then somewhere else; every second time in reverse.
+    const auto piece = [seed](int q) {
+      const int start = static_cast<int>((static_cast<unsigned>(q / 3) * 7919U + seed) % 170U);
+      return q / 3 % 2 == 0 ? start + q % 3 : start + 3 - q % 3;
+    };
+    EXPECT_GE(rise(sequence(150, 200, seed, piece, false)), -0.01) << seed;
+    // The map moves on by 1 to 5 candidates.
+    const auto dropped = [seed](int q) {
+      return 3 * q + static_cast<int>((static_cast<unsigned>(q) * 7919U + seed) % 3U);
+    };
+    EXPECT_GE(rise(sequence(65, 200, seed, dropped, false)), -0.01) << seed;
+  }
+}
+
+TEST(TemporalFilter, ImagesThatAreDoubledBringNothingNew) {
+  const Sequence s = sequence(
+      60, 60, 11, [](int q) { return q; }, true);
+  Plane<float> twice(60, 120);
+  for (int q = 0; q < 120; ++q) {
+    for (int c = 0; c < 60; ++c) twice(c, q) = s.scores(c, q / 2);
+  }
+  const Plane<float> once = filter_scores(s.scores, {10, none});
+  const Plane<float> out = filter_scores(twice, {10, none});
+  for (int q = 0; q < 120; ++q) {
+    for (int c = 0; c < 60; ++c) ASSERT_EQ(out(c, q), once(c, q / 2));
+  }
+}
+
 TEST(TemporalFilter, IsOffForNoneOrOneImage) {
   const Sequence s = sequence(
       20, 20, 1, [](int q) { return q; }, true);

@@ -1,0 +1,92 @@
+// The model of a route on likelihoods made by hand: what it foretells, and what it learns of steps and
+// breaks.
+#include "sailmap/route_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace sailmap {
+namespace {
+
+constexpr int places = 60;
+
+// One place stands out by so much; the mean is 1.
+std::vector<float> seen_at(int place, float by = 20) {
+  const float mean = (places - 1 + by) / places;
+  std::vector<float> out(places, 1 / mean);
+  out[static_cast<std::size_t>(place)] = by / mean;
+  return out;
+}
+
+RouteModel::Estimate follow(RouteModel& model, int images, const std::function<int(int)>& place) {
+  RouteModel::Estimate last;
+  for (int i = 0; i < images; ++i) last = model.advance(seen_at(place(i)), places);
+  return last;
+}
+
+std::ptrdiff_t best(const std::vector<float>& values) {
+  return std::max_element(values.begin(), values.end()) - values.begin();
+}
+
+TEST(RouteModel, KnowsNothingBeforeTheFirstImage) {
+  RouteModel model(10);
+  const RouteModel::Estimate first = model.advance(seen_at(7), places);
+  for (const float value : first.prior) EXPECT_EQ(value, 1);
+  EXPECT_EQ(first.expected, 1);
+  EXPECT_EQ(model.trust(), 0);
+}
+
+TEST(RouteModel, OneForecastThatHeldProvesNothing) {
+  RouteModel model(10);
+  const RouteModel::Estimate second = follow(model, 2, [](int i) { return i + 5; });
+  for (const float value : second.prior) EXPECT_NEAR(value, 1, 1e-5);
+}
+
+TEST(RouteModel, ForetellsTheNextPlaceInEitherDirectionAndAtAnySpeed) {
+  for (const int speed : {1, 2, 3, -1, -3}) {
+    RouteModel model(10);
+    const auto place = [speed](int i) { return (speed > 0 ? 0 : places - 1) + speed * i; };
+    const RouteModel::Estimate last = follow(model, 19, place);
+    EXPECT_EQ(best(last.prior), place(18)) << speed;
+    EXPECT_EQ(best(last.followed), place(18)) << speed;
+    EXPECT_GT(last.expected, 3) << speed;
+    EXPECT_GT(model.trust(), 0.9) << speed;
+  }
+}
+
+TEST(RouteModel, TrustsNoRouteWhereImagesJump) {
+  RouteModel model(10);
+  follow(model, 100, [](int i) { return i * 37 % places; });
+  EXPECT_LT(model.trust(), 0.1);
+}
+
+TEST(RouteModel, LearnsHowOftenARouteBreaks) {
+  RouteModel whole(10);
+  RouteModel broken(10);
+  follow(whole, 60, [](int i) { return i; });
+  follow(broken, 60, [](int i) { return i / 6 * 23 % 50 + i % 6; });
+  EXPECT_LT(whole.observed_breaks(), 0.05);
+  EXPECT_GT(broken.observed_breaks(), 0.06);
+}
+
+TEST(RouteModel, ABreakIsNotExpected) {
+  RouteModel model(10);
+  follow(model, 30, [](int i) { return i; });
+  const RouteModel::Estimate jump = model.advance(seen_at(55, 200), places);
+  EXPECT_LT(jump.expected, 0.7);
+  EXPECT_LT(jump.prior[55], 0.2);
+}
+
+TEST(RouteModel, ALostPathIsForgottenButNotWhatWasLearned) {
+  RouteModel model(10);
+  follow(model, 30, [](int i) { return i; });
+  const double trust = model.trust();
+  model.lose();
+  EXPECT_EQ(model.trust(), trust);
+  for (const float value : model.advance(seen_at(31), places).prior) EXPECT_EQ(value, 1);
+}
+
+}  // namespace
+}  // namespace sailmap
