@@ -30,7 +30,7 @@
 #endif
 
 // On a function that is used once and too long for Bambu's front end to inline it by itself: what it returns
-// would be in a memory, and so would a stream of the region that it is given.
+// would be in a memory.
 #ifdef __BAMBU__
 #define SAILMAP_INLINED inline __attribute__((always_inline))
 #else

@@ -111,17 +111,18 @@ struct RegionSums {
   }
 };
 
-// The gains of the feature maps from their statistics.
+// The gains of the feature maps from their statistics; those of the conspicuities are not needed.
 template <class Config>
-SAILMAP_INLINED void keep_gains(stream<uint32_t>& statistics) {
+inline void keep_gains(stream<uint32_t>& statistics, bool features) {
   using Kept = KeptMaps<Config>;
+  const int words = 2 * (features ? geometry::feature_maps : geometry::conspicuity_maps);
   uint32_t maximum = 0;
 #pragma nounroll
-  for (int i = 0; i < 2 * geometry::feature_maps; ++i) {
+  for (int i = 0; i < words; ++i) {
     const uint32_t word = statistics.read();
     if ((i & 1) == 0) {
       maximum = word;
-    } else {
+    } else if (features) {
       Kept::mantissas[i >> 1] = gain_mantissa(maximum, word);
       Kept::shifts[i >> 1] = static_cast<uint32_t>(gain_shift(maximum, word));
     }
@@ -227,12 +228,18 @@ void signature(stream<uint32_t>& intensity_maps, stream<uint64_t>& colour_maps,
   const uint32_t ratio = ratio_within(stop_ratio);
 
   // In the order in which the front end has them: a feature map's statistics, the feature maps, of which it
-  // makes the conspicuities, their statistics, and they themselves.
-  keep_gains<Config>(statistics);
-  keep_features<Config>(intensity_maps, colour_maps, orientation_maps, w * h);
+  // makes the conspicuities, their statistics, and they themselves. One loop for both, since Bambu keeps a
+  // stream in a memory where a word that is read has no use.
 #pragma nounroll
-  for (int i = 0; i < 2 * geometry::conspicuity_maps; ++i) statistics.read();
-  keep_saliency<Config>(conspicuity_maps, saliency, w, h);
+  for (int kind = 0; kind < 2; ++kind) {
+    const bool features = kind == 0;
+    keep_gains<Config>(statistics, features);
+    if (features) {
+      keep_features<Config>(intensity_maps, colour_maps, orientation_maps, w * h);
+    } else {
+      keep_saliency<Config>(conspicuity_maps, saliency, w, h);
+    }
+  }
 
   const int count = find_regions<Config>(w, h, most, ratio, side);
 #pragma nounroll
