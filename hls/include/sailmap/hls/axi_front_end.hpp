@@ -24,8 +24,8 @@ template <class Config>
 struct AxiRegion<Config, 1, false> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/0_map_streams.inc"
+#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/1_to_base_1.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -37,8 +37,8 @@ template <class Config>
 struct AxiRegion<Config, 1, true> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/0_map_streams.inc"
+#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/1_to_base_1.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -50,8 +50,8 @@ template <class Config>
 struct AxiRegion<Config, 2, false> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/0_map_streams.inc"
+#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/1_to_base_2.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -63,8 +63,8 @@ template <class Config>
 struct AxiRegion<Config, 2, true> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/0_map_streams.inc"
+#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/1_to_base_2.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -76,8 +76,8 @@ template <class Config>
 struct AxiRegion<Config, 4, false> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/0_map_streams.inc"
+#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/1_to_base_4.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -89,8 +89,8 @@ template <class Config>
 struct AxiRegion<Config, 4, true> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/0_map_streams.inc"
+#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/1_to_base_4.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
@@ -102,8 +102,8 @@ template <class Config>
 struct AxiRegion<Config, 8, false> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/0_map_streams.inc"
+#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/1_to_base_8.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_once.inc"
@@ -115,8 +115,8 @@ template <class Config>
 struct AxiRegion<Config, 8, true> {
   static void run(SAILMAP_AXI_PORTS) {
 #pragma HLS dataflow
-#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/0_map_streams.inc"
+#include "sailmap/hls/region/0_video_in.inc"
 #include "sailmap/hls/region/1_to_base_8.inc"
 #include "sailmap/hls/region/2_levels.inc"
 #include "sailmap/hls/region/3_store_twice.inc"
