@@ -156,7 +156,8 @@ class Bench {
   }
 
  private:
-  static constexpr std::uint64_t patience = 200000;
+  // More than from the last pixel of a VGA frame to its record: two replays and the search for the regions.
+  static constexpr std::uint64_t patience = 1000000;
 
   Stream& add(const std::string& name, bool is_input, CData& valid, CData& ready) {
     Stream stream{name,
