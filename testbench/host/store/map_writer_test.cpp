@@ -33,6 +33,12 @@ class MapWriterTest : public ::testing::Test {
   StoredMap new_map(MapConfig config = testing::small_map_config()) const {
     return {TopologicalMap(config), "fixed"};
   }
+  // A new map, and the session that begins it.
+  StoredMap begin(MapWriter& writer, const MapConfig& config = testing::small_map_config()) const {
+    StoredMap stored = new_map(config);
+    writer.begin_session(stored, "source");
+    return stored;
+  }
   void run(const std::vector<int>& places) const {
     MapWriter writer(path_);
     StoredMap stored = writer.load().value_or(new_map());
@@ -53,8 +59,7 @@ TEST_F(MapWriterTest, AppendedIsAsSaved) {
     const std::vector<int> places = {0, 1, 1, 2, 3, 0, 4, 4, 2};
     fs::remove(path_);
     MapWriter writer(path_);
-    StoredMap stored = new_map(config);
-    writer.begin_session(stored, "source");
+    StoredMap stored = begin(writer, config);
     add(writer, stored, places);
     writer.finish();
     const StoredMap loaded = MapStore(path_).load();
@@ -65,8 +70,7 @@ TEST_F(MapWriterTest, AppendedIsAsSaved) {
 
 TEST_F(MapWriterTest, ReadersSeeWhatWasCommittedAndNoMore) {
   MapWriter writer(path_);
-  StoredMap stored = new_map();
-  writer.begin_session(stored, "source");
+  StoredMap stored = begin(writer);
   add(writer, stored, {0, 1});
   writer.commit();
   add(writer, stored, {2});
@@ -100,8 +104,7 @@ std::string end_log(const fs::path& path) {
 // a second writer may leave the first one's log to others.
 TEST_F(MapWriterTest, NothingInThisProcessTakesTheWritersLocksAway) {
   MapWriter writer(path_);
-  StoredMap stored = new_map();
-  writer.begin_session(stored, "source");
+  StoredMap stored = begin(writer);
   add(writer, stored, {0, 1});
   writer.commit();
   EXPECT_THAT(end_log(path_), HasSubstr("locked"));
@@ -122,8 +125,7 @@ TEST_F(MapWriterTest, ANewFileWithoutAnImageIsRemoved) {
   EXPECT_TRUE(fs::is_empty(folder_.path()));
   {
     MapWriter writer(path_);
-    StoredMap stored = new_map();
-    writer.begin_session(stored, "source");
+    StoredMap stored = begin(writer);
     add(writer, stored, {0});  // never committed
   }
   EXPECT_FALSE(MapStore(path_).exists()) << "not even a blank database";
@@ -178,8 +180,7 @@ TEST_F(MapWriterTest, AResumedSessionGoesOnAsIfItHadNeverStopped) {
 TEST_F(MapWriterTest, TimesThumbnailsAndEverySignatureAreKept) {
   {
     MapWriter writer(path_);
-    StoredMap stored = new_map();
-    writer.begin_session(stored, "source");
+    StoredMap stored = begin(writer);
     add(writer, stored, {0, 1, 2, 3}, {1234.5, {0xFF, 0xD8}});
     add(writer, stored, {0});
     writer.finish();

@@ -43,6 +43,18 @@ void feed_component(Scheduler& scheduler, Stream<hls::bytes_t<Beat>>& stream, st
   });
 }
 
+// What every network of a front end takes in, and who feeds it.
+template <int Beat>
+struct PixelStreams {
+  Stream<hls::bytes_t<Beat>> red{"red"}, green{"green"}, blue{"blue"};
+
+  void feed(Scheduler& scheduler, std::span<const Frame> frames) {
+    feed_component<Beat>(scheduler, red, frames, 0);
+    feed_component<Beat>(scheduler, green, frames, 1);
+    feed_component<Beat>(scheduler, blue, frames, 2);
+  }
+};
+
 // Throws std::invalid_argument when Config does not take a frame.
 template <class Config>
 void demand_sizes(std::span<const Frame> frames) {
@@ -59,11 +71,8 @@ void demand_sizes(std::span<const Frame> frames) {
 // not take a frame, NetworkError when the network is wrong.
 template <class Config>
 std::vector<FrontEndWords> run_front_end(std::span<const Frame> frames, Scheduler& scheduler) {
-  using Word = hls::bytes_t<Config::beat>;
   demand_sizes<Config>(frames);
-  Stream<Word> red("red");
-  Stream<Word> green("green");
-  Stream<Word> blue("blue");
+  PixelStreams<Config::beat> pixels;
   Stream<std::uint32_t> intensity_maps("intensity_maps");
   Stream<std::uint64_t> colour_maps("colour_maps");
   Stream<std::uint64_t> orientation_maps("orientation_maps");
@@ -72,20 +81,19 @@ std::vector<FrontEndWords> run_front_end(std::span<const Frame> frames, Schedule
   Stream<std::uint32_t> statistics("statistics");
   std::vector<FrontEndWords> out(frames.size());
 
-  feed_component<Config::beat>(scheduler, red, frames, 0);
-  feed_component<Config::beat>(scheduler, green, frames, 1);
-  feed_component<Config::beat>(scheduler, blue, frames, 2);
+  pixels.feed(scheduler, frames);
   for (const Frame& frame : frames) {
-    hls::FrontEnd<Config>::run(
-        red, green, blue, intensity_maps, colour_maps, orientation_maps, conspicuity_maps, saliency,
-        statistics, static_cast<std::uint16_t>(frame.width), static_cast<std::uint16_t>(frame.height));
+    hls::FrontEnd<Config>::run(pixels.red, pixels.green, pixels.blue, intensity_maps, colour_maps,
+                               orientation_maps, conspicuity_maps, saliency, statistics,
+                               static_cast<std::uint16_t>(frame.width),
+                               static_cast<std::uint16_t>(frame.height));
   }
   const auto drain = [&](const char* name, auto& stream, auto FrontEndWords::*words) {
     scheduler.launch(name, {&stream}, [frames, &stream, &out, words] {
       for (std::size_t i = 0; i < frames.size(); ++i) {
-        const std::size_t pixels = static_cast<std::size_t>(hls::geometry::base_side(frames[i].width)) *
-                                   static_cast<std::size_t>(hls::geometry::base_side(frames[i].height));
-        read_words(stream, pixels, out[i].*words);
+        const std::size_t count = static_cast<std::size_t>(hls::geometry::base_side(frames[i].width)) *
+                                  static_cast<std::size_t>(hls::geometry::base_side(frames[i].height));
+        read_words(stream, count, out[i].*words);
       }
     });
   };

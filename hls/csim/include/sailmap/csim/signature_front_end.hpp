@@ -18,17 +18,13 @@ template <class Config>
 std::vector<std::vector<std::uint32_t>> run_signature_front_end(std::span<const Frame> frames,
                                                                 const SignatureParameters& parameters,
                                                                 Scheduler& scheduler) {
-  using Word = hls::bytes_t<Config::beat>;
   demand_sizes<Config>(frames);
-  Stream<Word> red("red");
-  Stream<Word> green("green");
-  Stream<Word> blue("blue");
+  PixelStreams<Config::beat> pixels;
   Stream<std::uint32_t> record("record");
-  feed_component<Config::beat>(scheduler, red, frames, 0);
-  feed_component<Config::beat>(scheduler, green, frames, 1);
-  feed_component<Config::beat>(scheduler, blue, frames, 2);
+  pixels.feed(scheduler, frames);
   for (const Frame& frame : frames) {
-    hls::SignatureFrontEnd<Config>::run(red, green, blue, record, static_cast<std::uint16_t>(frame.width),
+    hls::SignatureFrontEnd<Config>::run(pixels.red, pixels.green, pixels.blue, record,
+                                        static_cast<std::uint16_t>(frame.width),
                                         static_cast<std::uint16_t>(frame.height), parameters.max_regions,
                                         parameters.stop_ratio, parameters.box_side);
   }
