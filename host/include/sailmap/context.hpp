@@ -22,8 +22,9 @@ MatchResult match_contexts(const PlaceDescriptor& query, const PlaceDescriptor& 
 // candidates.
 double context_score(double evidence, double typical);
 
-// The 40 candidates of best layout agreement are scored; all others get 0. One score, 0 .. 1, a candidate; 0
-// throughout when the query has no region.
+// The 40 candidates of best layout agreement are scored; all others get 0. `candidates` in the order in which
+// they were passed: those before and behind one that show the same place count with it. One score, 0 .. 1, a
+// candidate; 0 throughout when the query has no region.
 std::vector<float> score_contexts(const PlaceDescriptor& query,
                                   std::span<const PlaceDescriptor* const> candidates);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "layout_agreement.hpp"
+#include "neighbour_evidence.hpp"
 #include "sailmap/context.hpp"
 
 namespace sailmap {
@@ -86,15 +87,18 @@ std::vector<float> score_contexts(const PlaceDescriptor& query,
                        (1 + weight * std::clamp(prominence, -2.0, 4.0)));
   }
   const double typical = typical_evidence(evidence);
+  const std::vector<double> supported = context::mean_along_route(candidates, proposed, evidence);
   for (std::size_t k = 0; k < proposed.size(); ++k) {
-    scores[proposed[k]] = static_cast<float>(context_score(evidence[k], typical));
+    scores[proposed[k]] = static_cast<float>(context_score(supported[k], typical));
   }
   return scores;
 }
 
 MatchResult match_places(const PlaceDescriptor& query, const PlaceDescriptor& candidate) {
+  // Neither rivals nor neighbours to compare with: more is asked for.
+  constexpr double usual_of_a_pair = 0.105;
   MatchResult out = match_contexts(query, candidate);
-  out.similarity = context_score(out.similarity, usual);
+  out.similarity = context_score(out.similarity, usual_of_a_pair);
   return out;
 }
 

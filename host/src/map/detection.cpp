@@ -49,7 +49,7 @@ double default_threshold(Method method) {
     case Method::paper_weighted:
       return 3;
     case Method::context:
-      return 0.3;
+      return 0.2;
   }
   throw Error("unknown method number " + std::to_string(static_cast<int>(method)));
 }
