@@ -17,6 +17,9 @@ struct TemporalConfig {
   // The score that means even odds in the method's scale, > 0. Infinity: the scores are within 0 and 1, and
   // 0.5 means even odds.
   double scale = 1;
+  // To which power the forecast counts where the filter is trusted, 0 .. 1. Images that follow each other
+  // resemble each other, so that they tell less than independent ones, of power 1, would.
+  double power = 0.5;
 };
 
 // Fed the scores of one image after the other.
@@ -50,7 +53,8 @@ class TemporalFilter {
   Support last_support_;
 };
 
-// What fits a method: the scale is its default threshold, or none for `context`, whose scores are calibrated.
+// What fits a method. `context`: no scale, because its scores are calibrated, and a power of 0.3, because
+// they hold part of what the route says already. All others: their default threshold and 0.5.
 TemporalConfig temporal_config(Method method, int images);
 
 // How many images the filter spans where it is on by default.

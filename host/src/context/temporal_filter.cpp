@@ -12,9 +12,6 @@
 namespace sailmap {
 namespace {
 
-// Images that follow each other resemble each other, so that they tell less than independent ones would: the
-// forecast counts by its square root, full where the filter is trusted.
-constexpr double power_of_forecast = 0.5;
 // What the forecast does not have loses half of its odds at most: a break is never so unlikely that an image
 // which shows another place clearly should fall behind images that show none.
 constexpr float least_factor = 0.5F;
@@ -31,6 +28,9 @@ TemporalConfig checked(const TemporalConfig& config) {
     throw Error("temporal filter: " + std::to_string(config.images) + " images; there may be 0 to 1000");
   }
   if (!(config.scale > 0)) throw Error("temporal filter: the scale must be above 0");
+  if (!(config.power >= 0 && config.power <= 1)) {
+    throw Error("temporal filter: the power must be within 0 and 1");
+  }
   return config;
 }
 
@@ -53,7 +53,7 @@ TemporalFilter::Support TemporalFilter::support(const ScoreEvidence::Row& row) {
   const double breaks = route_.observed_breaks();
   RouteModel::Estimate estimate = route_.advance(evidence_.likelihoods(row), row.count);
   Support out{std::move(estimate.prior), std::move(estimate.followed)};
-  const auto power = static_cast<float>(power_of_forecast * trust);
+  const auto power = static_cast<float>(config_.power * trust);
   const double unbroken = std::clamp((many_breaks - breaks) / (many_breaks - few_breaks), 0.0, 1.0);
   // Where the image contradicts the forecast, the path has probably just broken.
   const double held = std::min(1.0, estimate.expected * estimate.expected);
@@ -88,8 +88,8 @@ std::vector<float> TemporalFilter::apply(std::span<const float> scores) {
 }
 
 TemporalConfig temporal_config(Method method, int images) {
-  return {images,
-          method == Method::context ? std::numeric_limits<double>::infinity() : default_threshold(method)};
+  if (method == Method::context) return {images, std::numeric_limits<double>::infinity(), 0.3};
+  return {images, default_threshold(method)};
 }
 
 Plane<float> filter_scores(const Plane<float>& scores, const TemporalConfig& config) {

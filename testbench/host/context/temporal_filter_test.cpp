@@ -184,6 +184,22 @@ TEST(TemporalFilter, WrongConfigurationsAreRefused) {
   EXPECT_THROW(TemporalFilter({1001, none}), Error);
   EXPECT_THROW(TemporalFilter({10, 0}), Error);
   EXPECT_THROW(TemporalFilter({10, std::nan("")}), Error);
+  EXPECT_THROW(TemporalFilter({10, none, -0.1}), Error);
+  EXPECT_THROW(TemporalFilter({10, none, 1.1}), Error);
+  EXPECT_THROW(TemporalFilter({10, none, std::nan("")}), Error);
+}
+
+TEST(TemporalFilter, ThePowerSaysHowMuchTheForecastCounts) {
+  const Sequence route = sequence(
+      150, 200, 1, [](int q) { return q - 20; }, true);
+  double last = 0;
+  for (const double power : {0.1, 0.3, 0.5}) {
+    const Plane<float> out = filter_scores(route.scores, {10, none, power});
+    double lift = 0;
+    for (int q = 70; q < out.height(); ++q) lift += out(q - 20, q);
+    EXPECT_GT(lift, last) << power;
+    last = lift;
+  }
 }
 
 }  // namespace
