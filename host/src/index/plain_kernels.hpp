@@ -31,8 +31,9 @@ inline std::uint8_t least_bound(const Block& block, const ScreenQuery& query, co
     const std::uint8_t* c = block.codes.data() + slot * Block::slot_bytes + 2 * lane;
     int distance = region.descriptor_rest;
     std::size_t i = 0;
-    for (; i < directions / 2; ++i, c += Block::row_bytes) {
-      distance += square(c[0] - zero_code, c[1] - zero_code) + product(c[0], c[1], region.minus_pairs[i]);
+    for (; i < direction_rows; ++i, c += Block::row_bytes) {
+      const int second = 2 * i + 1 < directions ? c[1] - zero_code : 0;
+      distance += square(c[0] - zero_code, second) + product(c[0], c[1], region.minus_pairs[i]);
     }
     const int offset = square(c[0] - position_zero, c[1] - position_zero) / 2 +
                        product(c[0], c[1], region.minus_pairs[i]) + region.position_rest;

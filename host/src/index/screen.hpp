@@ -23,8 +23,11 @@ inline constexpr std::size_t block_images = 64;
 // Images that share the bounds of their columns: as many as the largest vectors hold.
 inline constexpr std::size_t group_images = 32;
 inline constexpr std::size_t block_groups = block_images / group_images;
+// Rows of pairs of code bytes: of directions (the last with the byte that is nothing), then of positions.
+inline constexpr std::size_t code_rows = code_bytes / 2;
+inline constexpr std::size_t direction_rows = code_rows - 1;
 
-// The codes of up to 64 images: for each slot (an image's regions in order of their column) four rows, one
+// The codes of up to 64 images: for each slot (an image's regions in order of their column) five rows, one
 // for each pair of code bytes, of 64 such pairs.
 struct Block {
   AlignedVector<std::uint8_t> codes;
@@ -34,6 +37,8 @@ struct Block {
   };
   std::vector<std::array<Columns, block_groups>> columns;  // of each slot, over its images
   std::array<std::int16_t, block_images> counts{};         // regions of each image, slots beyond are empty
+  // What each image's regions share, see kinds_shared; no_shares also where positions are not exact.
+  std::array<std::uint8_t, block_images> kinds{};
   bool exact_positions = true;
 
   static constexpr std::size_t row_bytes = 2 * block_images;
@@ -55,9 +60,9 @@ SortingNetwork sorting_network(std::size_t size);
 // halves rounded down. The kernel has codes with the zeros still in them: what that adds to -q.c is in the
 // `rests`.
 struct ScreenRegion {
-  std::array<std::int16_t, code_bytes / 2> minus_pairs{};  // -q in signed bytes, two in each
-  std::int16_t descriptor_rest = 0;                        // with |q|^2/4
-  std::int16_t position_rest = 0;                          // without |q|^2/2, less position_bias
+  std::array<std::int16_t, code_rows> minus_pairs{};  // -q in signed bytes, two in each
+  std::int16_t descriptor_rest = 0;                   // with |q|^2/4
+  std::int16_t position_rest = 0;                     // without |q|^2/2, less position_bias
   // Constraint 1 fails for certain where half the squared offset, less |q|^2/2 and the bias, is this or more:
   // among exact positions, and among others.
   std::array<std::int16_t, 2> position_limits{};
@@ -65,6 +70,12 @@ struct ScreenRegion {
   std::uint8_t first_column = 0;  // that may hold admissible candidates
   std::uint8_t last_column = 0;
 };
+
+// `radius` of constraint 1 in pixels.
+ScreenRegion screen_region(const Region& region, const PositionGrid& grid, double radius);
+
+// The regions by column, which is the order of the slots and of the query's regions.
+std::vector<const Region*> by_column(const Signature& signature);
 
 inline constexpr std::size_t grades = 4;
 inline constexpr double grade_ratio = 1.12;
@@ -80,7 +91,9 @@ class ScreenQuery {
   // From now on asks for similarities of at least `threshold` > 0, and of grades above it.
   void set_threshold(double threshold);
 
-  [[nodiscard]] Passing passing(const Block& block);
+  [[nodiscard]] Passing passing(const Block& block) { return passing(block, block); }
+  // `next` will be asked about next: its codes are fetched from memory meanwhile.
+  [[nodiscard]] Passing passing(const Block& block, const Block& next);
 
   // For the kernel.
   std::vector<ScreenRegion> regions;                      // by column

@@ -3,13 +3,13 @@
 #include "index/kernels.hpp"
 
 #include <gmock/gmock.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <array>
 #include <numeric>
 #include <random>
 
+#include "host/index/each_target.hpp"
 #include "host/index/random_maps.hpp"
 #include "index/estimate.hpp"
 #include "index/leaders.hpp"
@@ -21,20 +21,8 @@
 namespace sailmap::index {
 namespace {
 
+using sailmap::testing::for_each_target;
 using sailmap::testing::RandomMaps;
-
-// Runs `test` once for each instruction set this processor and this build have.
-template <class Test>
-void for_each_target(const Test& test) {
-  const std::int64_t supported = hwy::SupportedTargets();
-  for (std::int64_t left = supported; left != 0; left &= left - 1) {
-    const std::int64_t target = left & -left;
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    test();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-}
 
 std::vector<Signature> bounded_images(std::uint64_t seed, int count) {
   RandomMaps random(seed);
@@ -194,8 +182,8 @@ TEST(RegionCode, StandsForWhatItsErrorSays) {
       largest = std::max(largest, std::sqrt(squared));
       EXPECT_NEAR(code_error(region.descriptor, code), std::sqrt(squared), 1e-9);
       EXPECT_TRUE(is_exact(region, grid));
-      EXPECT_EQ(4 * code[directions], region.x);
-      EXPECT_EQ(4 * code[directions + 1], region.y);
+      EXPECT_EQ(4 * code[column_byte], region.x);
+      EXPECT_EQ(4 * code[row_byte], region.y);
     }
   }
   EXPECT_LE(largest, largest_code_error);
