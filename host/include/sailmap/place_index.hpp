@@ -2,8 +2,8 @@
 // with match() says, node numbers and similarities bit for bit, ties included.
 //
 // Each image is kept as ten bytes a region, which bound every descriptor distance from both sides and hold
-// positions, mostly exactly. Images whose similarity cannot reach the second-best place known are dismissed by
-// these bounds, first under constraint 1 alone and then under both; most of the others by a similarity in
+// positions, mostly exactly. Images whose similarity cannot reach the second-best place known are dismissed
+// by these bounds, first under constraint 1 alone and then under both; most of the others by a similarity in
 // single precision, and match() decides among the few that remain.
 #pragma once
 

@@ -45,6 +45,7 @@ class Search {
   }
 
   void screen(const std::vector<PlaceIndex::Entry>& entries, const std::vector<index::Block>& blocks) {
+    raise_threshold();
     std::size_t at_once = 1;
     for (std::size_t begin = 0; begin < blocks.size();) {
       const std::size_t end = std::min(blocks.size(), begin + at_once);
@@ -87,7 +88,7 @@ class Search {
   // What passes is looked at again, as soon as there are enough for that.
   void sift(const std::vector<PlaceIndex::Entry>& entries, const index::Block& block,
             const index::Block& next, std::size_t first) {
-    const bool known = leaders_.threshold() > 0;
+    const bool known = grade_bounds_.front() > 0;  // what may be asked for
     index::Passing passing;
     passing.fill(~std::uint64_t{0});
     if (known) passing = screen_.passing(block, next);

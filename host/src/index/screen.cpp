@@ -56,13 +56,6 @@ void set_position(const RegionCode& code, const PositionGrid& grid, double radiu
   out.last_column = static_cast<std::uint8_t>(std::min(255.0, std::ceil(column + columns)));
 }
 
-// The most S_k may be for k regions to reach the similarity.
-double limit(std::size_t k, Method method, std::size_t regions, double similarity) {
-  const auto matched = static_cast<double>(k);
-  const double weight = method == Method::paper_weighted ? matched / static_cast<double>(regions) : 1;
-  return weight * matched / similarity;
-}
-
 // With positions at their zeros, which the kernel's empty_slot counts on.
 void append_empty_slot(AlignedVector<std::uint8_t>& codes) {
   codes.resize(codes.size() + direction_rows * Block::row_bytes);
@@ -137,7 +130,9 @@ SortingNetwork sorting_network(std::size_t size) {
 }
 
 ScreenQuery::ScreenQuery(const Signature& query, const MatchConfig& config)
-    : limits(query.regions.size()), network(sorting_network(query.regions.size())), method_(config.method) {
+    : one_is_enough(config.method == Method::paper),
+      limits(query.regions.size()),
+      network(sorting_network(query.regions.size())) {
   const double radius = config.search_radius * std::hypot(query.width, query.height);
   const PositionGrid grid(query.width, query.height);
   for (const Region* region : by_column(query)) {
@@ -148,9 +143,29 @@ ScreenQuery::ScreenQuery(const Signature& query, const MatchConfig& config)
 }
 
 void ScreenQuery::set_threshold(double threshold) {
-  // Beyond the clip all distances are one: it has to stay clear of what decides, which is below k / threshold
-  // for one region (`paper`), around 1 / threshold for each of many (`paper_weighted`).
-  const double clip = std::clamp((method_ == Method::paper ? 1.1 : 2) / threshold, 1e-3, 4.0);
+  if (one_is_enough) {
+    set_squared_limits(threshold);
+  } else {
+    set_limits(threshold);
+  }
+}
+
+void ScreenQuery::set_squared_limits(double threshold) {
+  constexpr double most = no_distance;  // when nothing is known to be too far, not even what is not there
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    for (std::size_t grade = 0; grade < grades; ++grade) {
+      const double similarity = threshold * std::pow(grade_ratio, static_cast<double>(grade));
+      const double reach = (1 / similarity + errors_[i]) / step;
+      regions[i].squared_limits[grade] =
+          static_cast<std::uint16_t>(std::min(reach * reach * (1 + slack), most));
+    }
+  }
+}
+
+void ScreenQuery::set_limits(double threshold) {
+  // Beyond the clip all distances are one: it has to stay clear of what decides, which is around 1 /
+  // threshold for each of many regions.
+  const double clip = std::clamp(2 / threshold, 1e-3, 4.0);
   const double codes = 255 / clip;
   scale = static_cast<float>(step * codes * (1 - slack));
   for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -159,7 +174,8 @@ void ScreenQuery::set_threshold(double threshold) {
   for (std::size_t grade = 0; grade < grades; ++grade) {
     const double similarity = threshold * std::pow(grade_ratio, static_cast<double>(grade));
     for (std::size_t k = 1; k <= limits.size(); ++k) {
-      const double most = limit(k, method_, regions.size(), similarity) * codes * (1 + slack);
+      const auto square = static_cast<double>(k * k);
+      const double most = square / static_cast<double>(limits.size()) / similarity * codes * (1 + slack);
       limits[k - 1][grade] = static_cast<std::uint16_t>(std::min(most, 65535.0));
     }
   }

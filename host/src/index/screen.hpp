@@ -5,6 +5,7 @@
 // bound over all candidates that may be admissible. The k regions of MR thus cost at least the k smallest of
 // these bounds, S_k: Sim <= k / S_k (`paper`) and Sim <= k^2 / (n S_k) (`paper_weighted`, n regions in the
 // query), whatever subset constraint 2 leaves. An image for which S_k is above the limit for every k is out.
+// As S_k is at least k S_1, it is the one smallest bound that decides for `paper`.
 #pragma once
 
 #include <array>
@@ -54,6 +55,11 @@ using SortingNetwork = std::vector<std::pair<std::uint16_t, std::uint16_t>>;
 // Pairs (i, j), i < j, whose comparisons in this order sort `size` numbers (Batcher's odd-even merge).
 SortingNetwork sorting_network(std::size_t size);
 
+inline constexpr std::size_t grades = 4;
+inline constexpr double grade_ratio = 1.12;
+// For each grade g a bit for each image whose similarity may reach threshold * grade_ratio^g.
+using Passing = std::array<std::uint64_t, grades>;
+
 // One region of the query, as the kernel wants it: in 16 bits, modulo 2^16 on the way. With a candidate's
 // code c about its zeros and the query's q in half steps, the squared distance is |c|^2 - q.c + |q|^2/4,
 // rounded down. With positions c and q about their zeros, half the squared offset is |c|^2/2 - q.c + |q|^2/2,
@@ -66,7 +72,10 @@ struct ScreenRegion {
   // Constraint 1 fails for certain where half the squared offset, less |q|^2/2 and the bias, is this or more:
   // among exact positions, and among others.
   std::array<std::int16_t, 2> position_limits{};
-  float error = 0;                // of both codes, in distance codes
+  float error = 0;  // of both codes, in distance codes
+  // Squared distances of candidates that reach the similarity of each grade by themselves (`paper`): these at
+  // most.
+  std::array<std::uint16_t, grades> squared_limits{};
   std::uint8_t first_column = 0;  // that may hold admissible candidates
   std::uint8_t last_column = 0;
 };
@@ -76,11 +85,6 @@ ScreenRegion screen_region(const Region& region, const PositionGrid& grid, doubl
 
 // The regions by column, which is the order of the slots and of the query's regions.
 std::vector<const Region*> by_column(const Signature& signature);
-
-inline constexpr std::size_t grades = 4;
-inline constexpr double grade_ratio = 1.12;
-// For each grade g a bit for each image whose similarity may reach threshold * grade_ratio^g.
-using Passing = std::array<std::uint64_t, grades>;
 
 // What screening knows of the query.
 class ScreenQuery {
@@ -96,14 +100,17 @@ class ScreenQuery {
   [[nodiscard]] Passing passing(const Block& block, const Block& next);
 
   // For the kernel.
-  std::vector<ScreenRegion> regions;                      // by column
-  bool exact_positions = true;                            // of the query
-  float scale = 0;                                        // distance codes (0 .. 255) in a step
+  bool one_is_enough = false;         // of the least bounds: `squared_limits` instead of all below
+  std::vector<ScreenRegion> regions;  // by column
+  bool exact_positions = true;        // of the query
+  float scale = 0;                    // distance codes (0 .. 255) in a step
   std::vector<std::array<std::uint16_t, grades>> limits;  // of S_k, k = 1, 2, ..., in distance codes
   SortingNetwork network;
 
  private:
-  Method method_;
+  void set_squared_limits(double threshold);
+  void set_limits(double threshold);
+
   std::vector<double> errors_;  // of the codes of `regions`
   AlignedVector<std::uint8_t> work_;
 };

@@ -17,8 +17,8 @@ namespace sailmap::index {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET == HWY_SCALAR
 
-Passing screen(const Block& block, const Block& /*next*/, const ScreenQuery& query, std::uint8_t* work) {
-  return plain::screen(block, query, work);
+Passing screen(const Block& block, const Block& /*next*/, const ScreenQuery& query, std::uint8_t* /*work*/) {
+  return plain::screen(block, query);
 }
 
 #else
@@ -102,11 +102,14 @@ HWY_INLINE Slots slots_within_reach(const Block& block, std::size_t group, const
   return slots;
 }
 
-// The least bounds over the slots, a distance code for each image, for two regions of the query at a time (so
-// that each candidate is loaded once for both).
-HWY_INLINE void least_bounds(const Block& block, const Slots& slots, const ScreenRegion& first,
-                             const ScreenRegion& second, const std::int16_t* squares, float scale, bool exact,
-                             std::size_t lane, std::uint8_t* out) {
+// The least squared distances over the slots, a lower bound for each image, for two regions of the query at a
+// time (so that each candidate is loaded once for both).
+struct Least {
+  DistanceVector first, second;
+};
+HWY_INLINE Least least_distances(const Block& block, const Slots& slots, const ScreenRegion& first,
+                                 const ScreenRegion& second, const std::int16_t* squares, bool exact,
+                                 std::size_t lane) {
   const Pairs d;
   const Distances du;
   Probe a = probe_of(first, exact);
@@ -132,8 +135,23 @@ HWY_INLINE void least_bounds(const Block& block, const Slots& slots, const Scree
     improve(a);
     improve(b);
   }
-  store_distances(a.least, first, scale, out);
-  store_distances(b.least, second, scale, out + block_images);
+  return {a.least, b.least};
+}
+
+// Which images have a squared distance that keeps a limit of the region.
+HWY_INLINE void within_limits(DistanceVector least, const ScreenRegion& region, std::size_t lane,
+                              Passing& passing) {
+  const Distances d;
+  for (std::size_t grade = 0; grade < grades; ++grade) {
+    const auto excess = hn::SaturatedSub(least, hn::Set(d, region.squared_limits[grade]));
+    const auto within = hn::Eq(excess, hn::Zero(d));
+    if (hn::AllFalse(d, within)) break;  // the further limits are narrower
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, within, bytes);
+    for (std::size_t i = 0; i < group_images / 8; ++i) {
+      passing[grade] |= static_cast<std::uint64_t>(bytes[i]) << (lane + 8 * i);
+    }
+  }
 }
 
 // Which images have a k for which the k smallest of their bounds (rows of `bounds`, sorted) keep the limit.
@@ -185,6 +203,7 @@ Passing screen(const Block& block, const Block& next, const ScreenQuery& query, 
   const std::uint8_t* wanted = next.codes.data();
   const std::uint8_t* wanted_end = wanted + next.codes.size();
   const bool exact = query.exact_positions && block.exact_positions;
+  Passing passing{};
   for (std::size_t group = 0; group < block_groups; ++group) {
     for (std::size_t i = 0; i < regions; i += 2) {
       const ScreenRegion& first = query.regions[i];
@@ -194,12 +213,19 @@ Passing screen(const Block& block, const Block& next, const ScreenQuery& query, 
       const Slots slots = slots_within_reach(block, group, first, second);
       const std::size_t end = (group + 1) * group_images;
       for (std::size_t lane = group * group_images; lane < end; lane += hn::Lanes(Pairs())) {
-        least_bounds(block, slots, first, second, squares, query.scale, exact, lane,
-                     bounds + i * block_images + lane);
+        const Least least = least_distances(block, slots, first, second, squares, exact, lane);
+        if (query.one_is_enough) {
+          within_limits(least.first, first, lane, passing);
+          within_limits(least.second, second, lane, passing);
+          continue;
+        }
+        std::uint8_t* out = bounds + i * block_images + lane;
+        store_distances(least.first, first, query.scale, out);
+        store_distances(least.second, second, query.scale, out + block_images);
       }
     }
   }
-  Passing passing{};
+  if (query.one_is_enough) return passing;
   for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(d)) {
     for (const auto& [i, j] : query.network) {
       const Vector a = hn::LoadU(d, bounds + i * block_images + lane);

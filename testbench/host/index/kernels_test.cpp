@@ -47,7 +47,7 @@ TEST(IndexKernels, AllInstructionSetsScreenAlike) {
       ScreenQuery screen(query, random.config());
       for (const double threshold : {0.3, 1.0, 3.0, 20.0}) {
         screen.set_threshold(threshold);
-        ASSERT_EQ(screen.passing(block), plain::screen(block, screen, nullptr));
+        ASSERT_EQ(screen.passing(block), plain::screen(block, screen));
       }
     }
   });
@@ -116,7 +116,7 @@ TEST(IndexKernels, ScreeningFindsAdmissiblePositionsInImagesOfAnySize) {
         ScreenQuery screen(query, config);
         screen.set_threshold(1);
         const std::uint64_t passing = screen.passing(block).front();
-        ASSERT_EQ(passing, plain::screen(block, screen, nullptr).front());
+        ASSERT_EQ(passing, plain::screen(block, screen).front());
         for (std::size_t lane = 0; lane < block_images; ++lane) {
           const bool matches = match(query, images[lane], config).similarity > 0;
           ASSERT_TRUE(!matches || ((passing >> lane) & 1U) != 0) << from.x << ' ' << from.y;
