@@ -32,14 +32,13 @@ void Batch::add(const Block& block, std::size_t lane) {
   }
   const auto* from = reinterpret_cast<const std::uint16_t*>(block.codes.data()) + lane;
   auto* to = reinterpret_cast<std::uint16_t*>(codes.data()) + images;
-  for (std::size_t row = 0; row < count * code_rows; ++row) {
-    to[row * batch_images] = from[row * block_images];
-  }
-  for (std::size_t slot = 0; slot < count; ++slot) {
-    const std::uint8_t column =
-        block.codes[slot * Block::slot_bytes + direction_rows * Block::row_bytes + 2 * lane];
-    columns[slot].first = std::min(columns[slot].first, column);
-    columns[slot].last = std::max(columns[slot].last, column);
+  for (Block::Columns* range = columns.data(); range != columns.data() + count; ++range) {
+    for (std::size_t row = 0; row < code_rows; ++row) to[row * batch_images] = from[row * block_images];
+    const auto column = static_cast<std::uint8_t>(from[direction_rows * block_images]);  // the lower byte
+    range->first = std::min(range->first, column);
+    range->last = std::max(range->last, column);
+    from += code_rows * block_images;
+    to += code_rows * batch_images;
   }
   counts[images++] = block.counts[lane];
 }
