@@ -148,8 +148,8 @@ HWY_INLINE void within_limits(DistanceVector least, const ScreenRegion& region, 
     if (hn::AllFalse(d, within)) break;  // the further limits are narrower
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(d, within, bytes);
-    for (std::size_t i = 0; i < group_images / 8; ++i) {
-      passing[grade] |= static_cast<std::uint64_t>(bytes[i]) << (lane + 8 * i);
+    for (std::size_t i = 0; i < hn::Lanes(d); i += 8) {
+      passing[grade] |= static_cast<std::uint64_t>(bytes[i / 8]) << (lane + i);
     }
   }
 }

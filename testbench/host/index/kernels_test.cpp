@@ -126,6 +126,60 @@ TEST(IndexKernels, ScreeningFindsAdmissiblePositionsInImagesOfAnySize) {
   });
 }
 
+// At one place, with these projections in code steps.
+Signature image_of_projection(const Projection& steps) {
+  const std::array<double, directions> p = [&] {
+    std::array<double, directions> out{};
+    std::transform(steps.begin(), steps.end(), out.begin(), [](double number) { return number * step; });
+    return out;
+  }();
+  const std::array<double, feature_count> v = {p[0] * std::sqrt(0.5),     -p[0] * std::sqrt(0.5),
+                                               (p[1] + p[2] + p[3]) / 2,  (p[1] - p[2] - p[3]) / 2,
+                                               (-p[1] + p[2] - p[3]) / 2, (-p[1] - p[2] + p[3]) / 2,
+                                               (p[4] + p[5] + p[6]) / 2,  (p[4] - p[5] - p[6]) / 2,
+                                               (-p[4] - p[5] + p[6]) / 2, (-p[4] + p[5] - p[6]) / 2};
+  Signature out = image_with_region(640, 480, 320, 240);
+  std::transform(v.begin(), v.end(), out.regions.front().descriptor.begin(),
+                 [](double number) { return static_cast<float>(number); });
+  return out;
+}
+
+bool passes_at_its_similarity(const Signature& query, const Signature& image, Method method) {
+  MatchConfig config;
+  config.method = method;
+  Block block;
+  block.add(0, image);
+  ScreenQuery screen(query, config);
+  screen.set_threshold(match(query, image, config).similarity);
+  return (screen.passing(block).front() & 1U) != 0;
+}
+
+TEST(IndexKernels, ScreeningNeverLosesASingleRegion) {
+  for_each_target([] {
+    std::mt19937 random(13);
+    std::uniform_real_distribution<double> anywhere(-40, 40);
+    for (int i = 0; i < 2000; ++i) {
+      Projection a;
+      Projection b;
+      const double apart = i % 3 == 0 ? 1 : 0.02;
+      for (std::size_t k = 0; k < directions; ++k) {
+        a[k] = anywhere(random);
+        b[k] = a[k] + apart * anywhere(random);
+      }
+      const Method method = i % 2 == 0 ? Method::paper : Method::paper_weighted;
+      ASSERT_TRUE(passes_at_its_similarity(image_of_projection(a), image_of_projection(b), method)) << i;
+    }
+  });
+}
+
+TEST(IndexKernels, ScreeningNeverLosesADistanceThatIsTheNumberForNone) {
+  // From code to code 65535 squared steps: 4 * 127^2 + 31^2 + 7^2 + 3^2.
+  const Signature query = image_of_projection({63, 63, 63, 63, 0, 0, 0});
+  const Signature image = image_of_projection({-64, -64, -64, -64, 31, 7, 3});
+  EXPECT_TRUE(passes_at_its_similarity(query, image, Method::paper));
+  EXPECT_TRUE(passes_at_its_similarity(query, image, Method::paper_weighted));
+}
+
 TEST(IndexKernels, AllInstructionSetsEstimateTheSimilarity) {
   for_each_target([] {
     int estimated = 0;
