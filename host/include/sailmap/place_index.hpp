@@ -1,9 +1,9 @@
 // The nodes most similar to an image, found without comparing it with all: exactly what the exhaustive scan
 // with match() says, node numbers and similarities bit for bit, ties included.
 //
-// Each image is kept as eight bytes a region, which bound every descriptor distance from below and the
-// admissible positions (constraint 1) from outside, hence the similarity from above. Images whose bound stays
-// below the second-best place known are never looked at; of the others most are dismissed by a similarity in
+// Each image is kept as ten bytes a region, which bound every descriptor distance from both sides and hold
+// positions, mostly exactly. Images whose similarity cannot reach the second-best place known are dismissed
+// by these bounds, first under constraint 1 alone and then under both; most of the others by a similarity in
 // single precision, and match() decides among the few that remain.
 #pragma once
 

@@ -4,14 +4,28 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "agreement.hpp"
 #include "estimate.hpp"
 #include "screen.hpp"
 
 namespace sailmap::index {
 
-// See ScreenQuery::passing. `work` holds at least work_bytes(slots, regions).
-Passing screen_block(const Block& block, const ScreenQuery& query, std::uint8_t* work);
+// Squared distance, in 16 bits, where there is no admissible candidate: no distance is more.
+inline constexpr std::uint16_t no_distance = UINT16_MAX;
+
+// See ScreenQuery::passing. `next` is fetched from memory meanwhile. `work` holds at least work_bytes(slots,
+// regions).
+Passing screen_block(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work);
 std::size_t work_bytes(std::size_t slots, std::size_t regions);
+
+// See AgreementQuery::passing. `work` has a slot for each of the batch's, and a `nearest` for each region.
+std::uint32_t agreeing_images(const Batch& batch, const AgreementQuery& query, AgreementWork& work);
+
+// Squared code steps: a true squared distance is below the codes' (rounded down) by less than one, before
+// their errors, and has what sums of shares may differ.
+inline constexpr auto room_above = static_cast<float>(1.001 + largest_squared_rest / (step * step));
+inline constexpr float rounding_room = 1.0001F;  // of what is above 1
+inline constexpr float most_distance = no_distance - 1;
 
 // Both constraints. `work.numbers` holds 5 * lanes.x.size() numbers, the rest grows as needed.
 ConsistentMatches consistent_matches(const QueryLanes& lanes, const Region* candidates, std::size_t count,
@@ -23,9 +37,6 @@ inline constexpr int position_bias = 16638;
 // Half the squared position code of an empty slot, whose position is the zeros: what is added to it comes to
 // nothing but the bias, and it is above all limits, which are at most INT16_MAX.
 inline constexpr std::int16_t empty_slot = static_cast<std::int16_t>(INT16_MAX + position_bias - 65536);
-
-// Squared distance, in 16 bits, where there is no admissible candidate: no distance is more.
-inline constexpr std::uint16_t no_distance = UINT16_MAX;
 
 // Two squared distances within this part of each other are too near for single precision to order.
 inline constexpr float ambiguous_part = 1e-5F;

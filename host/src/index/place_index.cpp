@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
+#include "agreement.hpp"
 #include "estimate.hpp"
 #include "leaders.hpp"
 #include "match/check.hpp"
@@ -32,6 +35,7 @@ class Search {
         signature_of_(signature_of),
         leaders_(same_place_nodes),
         screen_(query, config),
+        agreement_(query, config),
         estimate_(query, config) {}
 
   void compare(const PlaceIndex::Entry& entry) {
@@ -41,16 +45,21 @@ class Search {
   }
 
   void screen(const std::vector<PlaceIndex::Entry>& entries, const std::vector<index::Block>& blocks) {
+    raise_threshold();
     std::size_t at_once = 1;
     for (std::size_t begin = 0; begin < blocks.size();) {
       const std::size_t end = std::min(blocks.size(), begin + at_once);
-      for (std::size_t b = begin; b < end; ++b) sift(entries, blocks[b], b * block_images);
+      for (std::size_t b = begin; b < end; ++b) {
+        sift(entries, blocks[b], blocks[std::min(b + 1, blocks.size() - 1)], b * block_images);
+      }
       compare_all(promising_);
       promising_.clear();
       raise_threshold();
       begin = end;
       at_once = std::min(2 * at_once, most_blocks_at_once);
     }
+    keep_agreeing();
+    compare_all(promising_);
     compare_deferred();
   }
 
@@ -68,6 +77,7 @@ class Search {
     const double threshold = leaders_.threshold();
     if (threshold <= grade_bounds_.front()) return;
     screen_.set_threshold(threshold);
+    agreement_.set_threshold(threshold);
     double bound = threshold;
     for (double& grade_bound : grade_bounds_) {
       grade_bound = bound;
@@ -75,25 +85,43 @@ class Search {
     }
   }
 
-  // Entries that may be far better than what is known are to be compared soon; others that pass wait until
-  // all have been seen, when most of them no longer matter.
-  void sift(const std::vector<PlaceIndex::Entry>& entries, const index::Block& block, std::size_t first) {
+  // What passes is looked at again, as soon as there are enough for that.
+  void sift(const std::vector<PlaceIndex::Entry>& entries, const index::Block& block,
+            const index::Block& next, std::size_t first) {
+    const bool known = grade_bounds_.front() > 0;  // what may be asked for
     index::Passing passing;
     passing.fill(~std::uint64_t{0});
-    if (leaders_.threshold() > 0) passing = screen_.passing(block);
+    if (known) passing = screen_.passing(block, next);
     for (std::uint64_t left = passing.front(); left != 0; left &= left - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(left));
       const std::size_t e = first + lane;
       if (e >= entries.size() || entries[e].node >= nodes_) continue;
       std::size_t grade = 1;
       while (grade < index::grades && ((passing[grade] >> lane) & 1U) != 0) ++grade;
-      if (grade == index::grades) {
-        promising_.push_back({entries[e]});
-      } else {
-        deferred_.push_back({entries[e], grade_bounds_[grade]});
+      const double bound =
+          grade == index::grades ? std::numeric_limits<double>::infinity() : grade_bounds_[grade];
+      if (!known || !agreement_.judges(block, lane)) {
+        keep({entries[e], bound});
+        continue;
       }
+      in_batch_[batch_.images] = {entries[e], bound};
+      batch_.add(block, lane);
+      if (batch_.full()) keep_agreeing();
     }
   }
+
+  void keep_agreeing() {
+    if (batch_.images == 0) return;
+    const std::uint32_t agreeing = agreement_.passing(batch_);
+    for (std::uint32_t left = agreeing; left != 0; left &= left - 1) {
+      keep(in_batch_[static_cast<unsigned>(std::countr_zero(left))]);
+    }
+    batch_.clear();
+  }
+
+  // Entries that may be far better than what is known are to be compared soon; others wait until all have
+  // been seen, when most of them no longer matter.
+  void keep(const Promising& p) { (std::isinf(p.bound) ? promising_ : deferred_).push_back(p); }
 
   void find_signature(Promising& p) {
     p.signature = &signature_of_(p.entry);
@@ -153,7 +181,10 @@ class Search {
   const PlaceIndex::SignatureOf& signature_of_;
   index::Leaders leaders_;
   index::ScreenQuery screen_;
+  index::AgreementQuery agreement_;
   index::Estimator estimate_;
+  index::Batch batch_;  // screened, and its entries
+  std::array<Promising, index::batch_images> in_batch_;
   std::vector<Promising> promising_;
   std::vector<Promising> deferred_;
   std::array<double, index::grades> grade_bounds_{};

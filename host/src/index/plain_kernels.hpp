@@ -22,8 +22,8 @@ inline int product(int x, int y, std::int16_t pair) {
   return std::clamp<int>(sum, INT16_MIN, INT16_MAX);
 }
 
-inline std::uint8_t least_bound(const Block& block, const ScreenQuery& query, const ScreenRegion& region,
-                                std::size_t lane) {
+inline std::uint16_t least_distance(const Block& block, const ScreenQuery& query, const ScreenRegion& region,
+                                    std::size_t lane) {
   const bool exact = query.exact_positions && block.exact_positions;
   const auto count = static_cast<std::size_t>(block.counts[lane]);
   std::uint16_t least = no_distance;
@@ -31,34 +31,48 @@ inline std::uint8_t least_bound(const Block& block, const ScreenQuery& query, co
     const std::uint8_t* c = block.codes.data() + slot * Block::slot_bytes + 2 * lane;
     int distance = region.descriptor_rest;
     std::size_t i = 0;
-    for (; i < directions / 2; ++i, c += Block::row_bytes) {
-      distance += square(c[0] - zero_code, c[1] - zero_code) + product(c[0], c[1], region.minus_pairs[i]);
+    for (; i < direction_rows; ++i, c += Block::row_bytes) {
+      const int second = 2 * i + 1 < directions ? c[1] - zero_code : 0;
+      distance += square(c[0] - zero_code, second) + product(c[0], c[1], region.minus_pairs[i]);
     }
     const int offset = square(c[0] - position_zero, c[1] - position_zero) / 2 +
                        product(c[0], c[1], region.minus_pairs[i]) + region.position_rest;
     if (static_cast<std::int16_t>(offset) >= region.position_limits[exact ? 0 : 1]) continue;
     least = std::min(least, static_cast<std::uint16_t>(distance));
   }
-  const float code = std::sqrt(static_cast<float>(least)) * query.scale - region.error;
+  return least;
+}
+
+inline std::uint8_t least_bound(const Block& block, const ScreenQuery& query, const ScreenRegion& region,
+                                std::size_t lane) {
+  const auto least = static_cast<float>(least_distance(block, query, region, lane));
+  const float code = std::sqrt(least) * query.scale - region.error;
   return static_cast<std::uint8_t>(std::clamp(code, 0.0F, 255.0F));
 }
 
-inline Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* /*work*/) {
+inline bool within_limits(const Block& block, const ScreenQuery& query, std::size_t lane, std::size_t grade) {
+  if (query.one_is_enough) {
+    return std::any_of(query.regions.begin(), query.regions.end(), [&](const ScreenRegion& region) {
+      return least_distance(block, query, region, lane) <= region.squared_limits[grade];
+    });
+  }
+  std::vector<int> bounds;
+  for (const ScreenRegion& region : query.regions) bounds.push_back(least_bound(block, query, region, lane));
+  std::sort(bounds.begin(), bounds.end());
+  int sum = 0;
+  for (std::size_t k = 0; k < bounds.size(); ++k) {
+    sum = std::min(sum + bounds[k], 65535);
+    if (sum <= query.limits[k][grade]) return true;
+  }
+  return false;
+}
+
+inline Passing screen(const Block& block, const ScreenQuery& query) {
   Passing passing{};
-  std::vector<int> bounds(query.regions.size());
   for (std::size_t lane = 0; lane < block_images; ++lane) {
-    for (std::size_t i = 0; i < bounds.size(); ++i) {
-      bounds[i] = least_bound(block, query, query.regions[i], lane);
-    }
-    std::sort(bounds.begin(), bounds.end());
     for (std::size_t grade = 0; grade < grades; ++grade) {
-      int sum = 0;
-      bool passes = false;
-      for (std::size_t k = 0; k < bounds.size(); ++k) {
-        sum = std::min(sum + bounds[k], 65535);
-        passes = passes || sum <= query.limits[k][grade];
-      }
-      passing[grade] |= static_cast<std::uint64_t>(passes) << lane;
+      const bool within = within_limits(block, query, lane, grade);
+      passing[grade] |= static_cast<std::uint64_t>(within) << lane;
     }
   }
   return passing;

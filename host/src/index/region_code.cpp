@@ -28,7 +28,8 @@ Projection project(const Descriptor& descriptor) {
   std::array<double, feature_count> v{};
   for (std::size_t i = 0; i < feature_count; ++i) v[i] = std::clamp<double>(descriptor[i], -1000, 1000);
   return {(v[0] - v[1]) * std::sqrt(0.5),  (v[2] + v[3] - v[4] - v[5]) / 2, (v[2] - v[3] + v[4] - v[5]) / 2,
-          (v[2] - v[3] - v[4] + v[5]) / 2, (v[6] + v[7] - v[8] - v[9]) / 2, (v[6] - v[7] - v[8] + v[9]) / 2};
+          (v[2] - v[3] - v[4] + v[5]) / 2, (v[6] + v[7] - v[8] - v[9]) / 2, (v[6] - v[7] - v[8] + v[9]) / 2,
+          (v[6] - v[7] + v[8] - v[9]) / 2};
 }
 
 PositionGrid::PositionGrid(int width, int height) {
@@ -52,7 +53,7 @@ RegionCode encode(const Region& region, const PositionGrid& grid) {
   for (std::size_t i = 0; i < directions; ++i) code[i] = code_of(p[i] / step, zero_code, last_code);
   const std::array<int, 2> position = {region.x, region.y};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    code[directions + axis] = code_of(position[axis] / grid.step, 0, grid.last[axis]);
+    code[column_byte + axis] = code_of(position[axis] / grid.step, 0, grid.last[axis]);
   }
   return code;
 }
@@ -61,7 +62,7 @@ bool is_exact(const Region& region, const PositionGrid& grid) {
   const RegionCode code = encode(region, grid);
   const std::array<int, 2> position = {region.x, region.y};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (grid.step * code[directions + axis] != position[axis]) return false;
+    if (grid.step * code[column_byte + axis] != position[axis]) return false;
   }
   return true;
 }
@@ -93,6 +94,34 @@ double code_error(const Descriptor& descriptor, const QueryCode& code) {
     sum += error * error;
   }
   return step * std::sqrt(sum);
+}
+
+double both_code_errors(const Region& query) {
+  constexpr double slack = 1e-6;  // far above what double precision loses
+  return largest_code_error + code_error(query.descriptor, encode_query(query.descriptor)) + slack;
+}
+
+std::uint8_t kinds_shared(const Signature& signature) {
+  std::uint8_t of_all = no_shares;
+  for (const Region& region : signature.regions) {
+    std::array<double, conspicuity_count> sums{};
+    for (std::size_t i = 0; i < feature_count; ++i) {
+      if (!(region.descriptor[i] >= 0)) return no_shares;
+      sums[kind_of_feature[i]] += region.descriptor[i];
+    }
+    std::uint8_t kinds = 0;
+    for (std::size_t kind = 0; kind < conspicuity_count; ++kind) {
+      const bool shared = std::abs(sums[kind] - 1) <= share_error;
+      if (!shared && !(sums[kind] <= share_error)) return no_shares;
+      kinds = static_cast<std::uint8_t>(kinds | (shared ? 1U << kind : 0U));
+    }
+    if (of_all != no_shares && of_all != kinds) return no_shares;
+    for (const double number : project(region.descriptor)) {
+      if (std::abs(number) > step * (last_code - zero_code)) return no_shares;
+    }
+    of_all = kinds;
+  }
+  return of_all;
 }
 
 bool can_be_bounded(const Signature& signature) {

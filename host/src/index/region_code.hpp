@@ -1,4 +1,4 @@
-// A region in eight bytes: enough to bound its distance to another from below within about 0.03.
+// A region in ten bytes: enough to bound its distance to another from below and above within about 0.03.
 #pragma once
 
 #include <array>
@@ -9,9 +9,8 @@
 namespace sailmap::index {
 
 // A descriptor's numbers sum to one within each kind, so that seven orthonormal directions hold all of a
-// distance: rows of a Hadamard matrix within each kind. The one that varies least on real images
-// (ori_0 + ori_90 - ori_45 - ori_135, 1 % of the variance) is left out for the sake of eight even bytes.
-inline constexpr std::size_t directions = 6;
+// distance: rows of a Hadamard matrix within each kind.
+inline constexpr std::size_t directions = 7;
 using Projection = std::array<double, directions>;
 
 // Distances between projections are at most those between the descriptors (each number cut to +-1000 before,
@@ -36,8 +35,10 @@ struct PositionGrid {
 // of positions that are near each other are then small enough for 16 bits.
 inline constexpr int position_zero = 127;
 
-// Six directions, then column and row.
-inline constexpr std::size_t code_bytes = directions + 2;
+// Seven directions, a byte that is nothing (bytes are taken in pairs), then column and row.
+inline constexpr std::size_t column_byte = 8;
+inline constexpr std::size_t row_byte = 9;
+inline constexpr std::size_t code_bytes = 10;
 using RegionCode = std::array<std::uint8_t, code_bytes>;
 RegionCode encode(const Region& region, const PositionGrid& grid);
 
@@ -46,7 +47,7 @@ bool is_exact(const Region& region, const PositionGrid& grid);
 
 // How far, in descriptor distance, a descriptor is from what its code stands for: less than this, and
 // exactly.
-inline constexpr double largest_code_error = 0.01376;  // step / 2 in each of six directions
+inline constexpr double largest_code_error = 0.01486;  // step / 2 in each of seven directions
 double code_error(const Descriptor& descriptor, const RegionCode& code);
 
 // The query's directions are in half steps from 0, and from what the code can hold no further than these.
@@ -54,6 +55,18 @@ using QueryCode = std::array<int, directions>;
 inline constexpr int last_half_step = 127;
 QueryCode encode_query(const Descriptor& descriptor);
 double code_error(const Descriptor& descriptor, const QueryCode& code);
+
+// Of a region of the query and its code, and any candidate and its code, with room for rounding.
+double both_code_errors(const Region& query);
+
+// Which kinds a signature's descriptors hold shares of, a bit for each kind: numbers that are not negative
+// and sum to one, within `share_error`, in all regions; of the other kinds they hold nothing, within the
+// same. Between two that hold the same kinds the seven directions are all of a distance, but for what the
+// sums differ, and no code stands for anything beyond its end.
+inline constexpr double share_error = 0.01;  // fixed-point front ends stay within 0.0066
+inline constexpr double largest_squared_rest = 4 * share_error * share_error;  // of what the sums differ
+inline constexpr std::uint8_t no_shares = 0xFF;                                // anything else
+std::uint8_t kinds_shared(const Signature& signature);
 
 // Not too many regions, all numbers finite and small enough that no arithmetic on them in single precision
 // overflows. Other signatures are compared exactly.

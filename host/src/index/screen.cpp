@@ -33,19 +33,20 @@ void set_descriptor(const QueryCode& code, ScreenRegion& region) {
     square += code[i] * code[i];
     product += code[i] * zero_code;
   }
-  for (std::size_t i = 0; i < directions / 2; ++i) {
-    region.minus_pairs[i] = pair_of(-code[2 * i], -code[2 * i + 1]);
+  for (std::size_t i = 0; i < direction_rows; ++i) {
+    const int second = 2 * i + 1 < directions ? code[2 * i + 1] : 0;
+    region.minus_pairs[i] = pair_of(-code[2 * i], -second);
   }
   region.descriptor_rest = static_cast<std::int16_t>(square / 4 + product);
 }
 
 // `radius` in pixels.
 void set_position(const RegionCode& code, const PositionGrid& grid, double radius, ScreenRegion& out) {
-  const int column = code[directions];
+  const int column = code[column_byte];
   const int x = column - position_zero;
-  const int y = code[directions + 1] - position_zero;
+  const int y = code[row_byte] - position_zero;
   const int half_square = (x * x + y * y) / 2;
-  out.minus_pairs[directions / 2] = pair_of(-x, -y);
+  out.minus_pairs[direction_rows] = pair_of(-x, -y);
   out.position_rest = static_cast<std::int16_t>((x + y) * position_zero - position_bias);
   const double off = std::sqrt(2.0);  // both codes, by half in each direction
   const double reach = radius / grid.step;
@@ -55,31 +56,41 @@ void set_position(const RegionCode& code, const PositionGrid& grid, double radiu
   out.last_column = static_cast<std::uint8_t>(std::min(255.0, std::ceil(column + columns)));
 }
 
-// The most S_k may be for k regions to reach the similarity.
-double limit(std::size_t k, Method method, std::size_t regions, double similarity) {
-  const auto matched = static_cast<double>(k);
-  const double weight = method == Method::paper_weighted ? matched / static_cast<double>(regions) : 1;
-  return weight * matched / similarity;
-}
-
 // With positions at their zeros, which the kernel's empty_slot counts on.
 void append_empty_slot(AlignedVector<std::uint8_t>& codes) {
-  codes.resize(codes.size() + directions * block_images);
+  codes.resize(codes.size() + direction_rows * Block::row_bytes);
   codes.insert(codes.end(), 2 * block_images, static_cast<std::uint8_t>(position_zero));
 }
 
 }  // namespace
+
+ScreenRegion screen_region(const Region& region, const PositionGrid& grid, double radius) {
+  ScreenRegion out;
+  set_descriptor(encode_query(region.descriptor), out);
+  set_position(encode(region, grid), grid, radius, out);
+  return out;
+}
+
+std::vector<const Region*> by_column(const Signature& signature) {
+  std::vector<const Region*> order;
+  order.reserve(signature.regions.size());
+  for (const Region& region : signature.regions) order.push_back(&region);
+  std::sort(order.begin(), order.end(), [](const Region* a, const Region* b) { return a->x < b->x; });
+  return order;
+}
 
 void Block::add(std::size_t lane, const Signature& signature) {
   const PositionGrid grid(signature.width, signature.height);
   const std::size_t count = signature.regions.size();
   std::vector<RegionCode> regions;
   regions.reserve(count);
+  bool exact = true;
   for (const Region& region : signature.regions) {
     regions.push_back(encode(region, grid));
-    exact_positions = exact_positions && is_exact(region, grid);
+    exact = exact && is_exact(region, grid);
   }
-  const auto column = [](const RegionCode& code) { return code[directions]; };
+  exact_positions = exact_positions && exact;
+  const auto column = [](const RegionCode& code) { return code[column_byte]; };
   std::sort(regions.begin(), regions.end(),
             [&](const RegionCode& a, const RegionCode& b) { return column(a) < column(b); });
   if (count > slots()) {
@@ -89,6 +100,7 @@ void Block::add(std::size_t lane, const Signature& signature) {
     for (std::size_t slot = codes.size() / slot_bytes; slot < count; ++slot) append_empty_slot(codes);
   }
   counts[lane] = static_cast<std::int16_t>(count);
+  kinds[lane] = exact ? kinds_shared(signature) : no_shares;
   for (std::size_t slot = 0; slot < count; ++slot) {
     for (std::size_t byte = 0; byte < code_bytes; ++byte) {
       const std::size_t row = slot * slot_bytes + byte / 2 * row_bytes;
@@ -118,27 +130,42 @@ SortingNetwork sorting_network(std::size_t size) {
 }
 
 ScreenQuery::ScreenQuery(const Signature& query, const MatchConfig& config)
-    : limits(query.regions.size()), network(sorting_network(query.regions.size())), method_(config.method) {
+    : one_is_enough(config.method == Method::paper),
+      limits(query.regions.size()),
+      network(sorting_network(query.regions.size())) {
   const double radius = config.search_radius * std::hypot(query.width, query.height);
   const PositionGrid grid(query.width, query.height);
-  std::vector<const Region*> order;
-  for (const Region& region : query.regions) order.push_back(&region);
-  std::sort(order.begin(), order.end(), [](const Region* a, const Region* b) { return a->x < b->x; });
-  for (const Region* region : order) {
-    const RegionCode code = encode(*region, grid);
-    const QueryCode query_code = encode_query(region->descriptor);
-    regions.emplace_back();
-    set_descriptor(query_code, regions.back());
-    set_position(code, grid, radius, regions.back());
+  for (const Region* region : by_column(query)) {
+    regions.push_back(screen_region(*region, grid, radius));
     exact_positions = exact_positions && is_exact(*region, grid);
-    errors_.push_back(largest_code_error + code_error(region->descriptor, query_code) + slack);
+    errors_.push_back(both_code_errors(*region));
   }
 }
 
 void ScreenQuery::set_threshold(double threshold) {
-  // Beyond the clip all distances are one: it has to stay clear of what decides, which is below k / threshold
-  // for one region (`paper`), around 1 / threshold for each of many (`paper_weighted`).
-  const double clip = std::clamp((method_ == Method::paper ? 1.1 : 2) / threshold, 1e-3, 4.0);
+  if (one_is_enough) {
+    set_squared_limits(threshold);
+  } else {
+    set_limits(threshold);
+  }
+}
+
+void ScreenQuery::set_squared_limits(double threshold) {
+  constexpr double most = no_distance;  // when nothing is known to be too far, not even what is not there
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    for (std::size_t grade = 0; grade < grades; ++grade) {
+      const double similarity = threshold * std::pow(grade_ratio, static_cast<double>(grade));
+      const double reach = (1 / similarity + errors_[i]) / step;
+      regions[i].squared_limits[grade] =
+          static_cast<std::uint16_t>(std::min(reach * reach * (1 + slack), most));
+    }
+  }
+}
+
+void ScreenQuery::set_limits(double threshold) {
+  // Beyond the clip all distances are one: it has to stay clear of what decides, which is around 1 /
+  // threshold for each of many regions.
+  const double clip = std::clamp(2 / threshold, 1e-3, 4.0);
   const double codes = 255 / clip;
   scale = static_cast<float>(step * codes * (1 - slack));
   for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -147,15 +174,16 @@ void ScreenQuery::set_threshold(double threshold) {
   for (std::size_t grade = 0; grade < grades; ++grade) {
     const double similarity = threshold * std::pow(grade_ratio, static_cast<double>(grade));
     for (std::size_t k = 1; k <= limits.size(); ++k) {
-      const double most = limit(k, method_, regions.size(), similarity) * codes * (1 + slack);
+      const auto square = static_cast<double>(k * k);
+      const double most = square / static_cast<double>(limits.size()) / similarity * codes * (1 + slack);
       limits[k - 1][grade] = static_cast<std::uint16_t>(std::min(most, 65535.0));
     }
   }
 }
 
-Passing ScreenQuery::passing(const Block& block) {
+Passing ScreenQuery::passing(const Block& block, const Block& next) {
   work_.resize(std::max(work_.size(), work_bytes(block.slots(), regions.size())));
-  return screen_block(block, *this, work_.data());
+  return screen_block(block, next, *this, work_.data());
 }
 
 }  // namespace sailmap::index

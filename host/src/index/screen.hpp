@@ -5,6 +5,7 @@
 // bound over all candidates that may be admissible. The k regions of MR thus cost at least the k smallest of
 // these bounds, S_k: Sim <= k / S_k (`paper`) and Sim <= k^2 / (n S_k) (`paper_weighted`, n regions in the
 // query), whatever subset constraint 2 leaves. An image for which S_k is above the limit for every k is out.
+// As S_k is at least k S_1, it is the one smallest bound that decides for `paper`.
 #pragma once
 
 #include <array>
@@ -23,8 +24,11 @@ inline constexpr std::size_t block_images = 64;
 // Images that share the bounds of their columns: as many as the largest vectors hold.
 inline constexpr std::size_t group_images = 32;
 inline constexpr std::size_t block_groups = block_images / group_images;
+// Rows of pairs of code bytes: of directions (the last with the byte that is nothing), then of positions.
+inline constexpr std::size_t code_rows = code_bytes / 2;
+inline constexpr std::size_t direction_rows = code_rows - 1;
 
-// The codes of up to 64 images: for each slot (an image's regions in order of their column) four rows, one
+// The codes of up to 64 images: for each slot (an image's regions in order of their column) five rows, one
 // for each pair of code bytes, of 64 such pairs.
 struct Block {
   AlignedVector<std::uint8_t> codes;
@@ -34,6 +38,8 @@ struct Block {
   };
   std::vector<std::array<Columns, block_groups>> columns;  // of each slot, over its images
   std::array<std::int16_t, block_images> counts{};         // regions of each image, slots beyond are empty
+  // What each image's regions share, see kinds_shared; no_shares also where positions are not exact.
+  std::array<std::uint8_t, block_images> kinds{};
   bool exact_positions = true;
 
   static constexpr std::size_t row_bytes = 2 * block_images;
@@ -49,27 +55,36 @@ using SortingNetwork = std::vector<std::pair<std::uint16_t, std::uint16_t>>;
 // Pairs (i, j), i < j, whose comparisons in this order sort `size` numbers (Batcher's odd-even merge).
 SortingNetwork sorting_network(std::size_t size);
 
+inline constexpr std::size_t grades = 4;
+inline constexpr double grade_ratio = 1.12;
+// For each grade g a bit for each image whose similarity may reach threshold * grade_ratio^g.
+using Passing = std::array<std::uint64_t, grades>;
+
 // One region of the query, as the kernel wants it: in 16 bits, modulo 2^16 on the way. With a candidate's
 // code c about its zeros and the query's q in half steps, the squared distance is |c|^2 - q.c + |q|^2/4,
 // rounded down. With positions c and q about their zeros, half the squared offset is |c|^2/2 - q.c + |q|^2/2,
 // halves rounded down. The kernel has codes with the zeros still in them: what that adds to -q.c is in the
 // `rests`.
 struct ScreenRegion {
-  std::array<std::int16_t, code_bytes / 2> minus_pairs{};  // -q in signed bytes, two in each
-  std::int16_t descriptor_rest = 0;                        // with |q|^2/4
-  std::int16_t position_rest = 0;                          // without |q|^2/2, less position_bias
+  std::array<std::int16_t, code_rows> minus_pairs{};  // -q in signed bytes, two in each
+  std::int16_t descriptor_rest = 0;                   // with |q|^2/4
+  std::int16_t position_rest = 0;                     // without |q|^2/2, less position_bias
   // Constraint 1 fails for certain where half the squared offset, less |q|^2/2 and the bias, is this or more:
   // among exact positions, and among others.
   std::array<std::int16_t, 2> position_limits{};
-  float error = 0;                // of both codes, in distance codes
+  float error = 0;  // of both codes, in distance codes
+  // Squared distances of candidates that reach the similarity of each grade by themselves (`paper`): these at
+  // most.
+  std::array<std::uint16_t, grades> squared_limits{};
   std::uint8_t first_column = 0;  // that may hold admissible candidates
   std::uint8_t last_column = 0;
 };
 
-inline constexpr std::size_t grades = 4;
-inline constexpr double grade_ratio = 1.12;
-// For each grade g a bit for each image whose similarity may reach threshold * grade_ratio^g.
-using Passing = std::array<std::uint64_t, grades>;
+// `radius` of constraint 1 in pixels.
+ScreenRegion screen_region(const Region& region, const PositionGrid& grid, double radius);
+
+// The regions by column, which is the order of the slots and of the query's regions.
+std::vector<const Region*> by_column(const Signature& signature);
 
 // What screening knows of the query.
 class ScreenQuery {
@@ -80,17 +95,22 @@ class ScreenQuery {
   // From now on asks for similarities of at least `threshold` > 0, and of grades above it.
   void set_threshold(double threshold);
 
-  [[nodiscard]] Passing passing(const Block& block);
+  [[nodiscard]] Passing passing(const Block& block) { return passing(block, block); }
+  // `next` will be asked about next: its codes are fetched from memory meanwhile.
+  [[nodiscard]] Passing passing(const Block& block, const Block& next);
 
   // For the kernel.
-  std::vector<ScreenRegion> regions;                      // by column
-  bool exact_positions = true;                            // of the query
-  float scale = 0;                                        // distance codes (0 .. 255) in a step
+  bool one_is_enough = false;         // of the least bounds: `squared_limits` instead of all below
+  std::vector<ScreenRegion> regions;  // by column
+  bool exact_positions = true;        // of the query
+  float scale = 0;                    // distance codes (0 .. 255) in a step
   std::vector<std::array<std::uint16_t, grades>> limits;  // of S_k, k = 1, 2, ..., in distance codes
   SortingNetwork network;
 
  private:
-  Method method_;
+  void set_squared_limits(double threshold);
+  void set_limits(double threshold);
+
   std::vector<double> errors_;  // of the codes of `regions`
   AlignedVector<std::uint8_t> work_;
 };

@@ -10,59 +10,32 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "index/code_products-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace sailmap::index {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET == HWY_SCALAR
 
-Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
-  return plain::screen(block, query, work);
+Passing screen(const Block& block, const Block& /*next*/, const ScreenQuery& query, std::uint8_t* /*work*/) {
+  return plain::screen(block, query);
 }
 
 #else
 
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
 using Bytes = hn::CappedTag<std::uint8_t, block_images>;
 using Vector = hn::Vec<Bytes>;
-using Pairs = hn::CappedTag<std::int16_t, group_images>;  // codes, two to a lane
-using PairVector = hn::Vec<Pairs>;
 using Distances = hn::RebindToUnsigned<Pairs>;
 using DistanceVector = hn::Vec<Distances>;
-
-// For each lane the saturated sum of the products of its two bytes, those of `codes` and those of
-// `signed_bytes`.
-HWY_INLINE PairVector dot(PairVector codes, PairVector signed_bytes) {
-#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4
-  return PairVector{_mm_maddubs_epi16(codes.raw, signed_bytes.raw)};
-#elif HWY_TARGET == HWY_AVX2
-  return PairVector{_mm256_maddubs_epi16(codes.raw, signed_bytes.raw)};
-#elif HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-  return PairVector{_mm512_maddubs_epi16(codes.raw, signed_bytes.raw)};
-#else
-  const hn::RebindToUnsigned<Pairs> du;
-  const auto low =
-      hn::Mul(hn::And(codes, hn::Set(Pairs(), 0xFF)), hn::ShiftRight<8>(hn::ShiftLeft<8>(signed_bytes)));
-  const auto high = hn::BitCast(Pairs(), hn::ShiftRight<8>(hn::BitCast(du, codes)));
-  return hn::SaturatedAdd(low, hn::Mul(high, hn::ShiftRight<8>(signed_bytes)));
-#endif
-}
-
-// The two bytes' squares about zeros, summed.
-HWY_INLINE PairVector squares(PairVector codes, PairVector zeros) {
-  const hn::Repartition<std::int8_t, Pairs> bytes;
-  const auto centred = hn::Sub(hn::BitCast(bytes, codes), hn::BitCast(bytes, zeros));
-  const auto size = hn::BitCast(Pairs(), hn::Abs(centred));
-  return dot(size, size);
-}
 
 // The squares |c|^2 of the descriptor and half those of the position of each candidate; positions of empty
 // slots are beyond all limits. Rows of 64 numbers, descriptor and position for each slot.
 HWY_INLINE void candidate_squares(const Block& block, std::int16_t* out) {
   const Pairs d;
   const PairVector zeros = hn::Set(d, zero_code * 0x0101);
+  const PairVector last_zeros = hn::Set(d, zero_code);  // with a byte that is nothing
   const PairVector middle = hn::Set(d, position_zero * 0x0101);
   for (std::size_t slot = 0; slot < block.slots(); ++slot) {
     const auto* row = reinterpret_cast<const std::int16_t*>(block.codes.data() + slot * Block::slot_bytes);
@@ -70,10 +43,12 @@ HWY_INLINE void candidate_squares(const Block& block, std::int16_t* out) {
       const auto square = [&](std::size_t i, PairVector about) HWY_ATTR {
         return squares(hn::LoadU(d, row + i * block_images + lane), about);
       };
-      const auto sum = hn::Add(hn::Add(square(0, zeros), square(1, zeros)), square(2, zeros));
+      static_assert(direction_rows == 4);
+      const auto sum = hn::Add(hn::Add(square(0, zeros), square(1, zeros)),
+                               hn::Add(square(2, zeros), square(3, last_zeros)));
       const auto count = hn::LoadU(d, block.counts.data() + lane);
       const auto filled = hn::Gt(count, hn::Set(d, static_cast<std::int16_t>(slot)));
-      const auto position = hn::ShiftRight<1>(square(3, middle));
+      const auto position = hn::ShiftRight<1>(square(4, middle));
       hn::StoreU(sum, d, out + 2 * slot * block_images + lane);
       hn::StoreU(hn::IfThenElse(filled, position, hn::Set(d, empty_slot)), d,
                  out + (2 * slot + 1) * block_images + lane);
@@ -83,19 +58,16 @@ HWY_INLINE void candidate_squares(const Block& block, std::int16_t* out) {
 
 // A region of the query in registers.
 struct Probe {
-  PairVector q0, q1, q2, q3, descriptor_rest, position_rest, limit;
+  PairVector q0, q1, q2, q3, position, descriptor_rest, position_rest, limit;
   DistanceVector least;
 };
 
 HWY_INLINE Probe probe_of(const ScreenRegion& region, bool exact) {
   const Pairs d;
-  return {hn::Set(d, region.minus_pairs[0]),
-          hn::Set(d, region.minus_pairs[1]),
-          hn::Set(d, region.minus_pairs[2]),
-          hn::Set(d, region.minus_pairs[3]),
-          hn::Set(d, region.descriptor_rest),
-          hn::Set(d, region.position_rest),
-          hn::Set(d, region.position_limits[exact ? 0 : 1]),
+  return {hn::Set(d, region.minus_pairs[0]), hn::Set(d, region.minus_pairs[1]),
+          hn::Set(d, region.minus_pairs[2]), hn::Set(d, region.minus_pairs[3]),
+          hn::Set(d, region.minus_pairs[4]), hn::Set(d, region.descriptor_rest),
+          hn::Set(d, region.position_rest),  hn::Set(d, region.position_limits[exact ? 0 : 1]),
           hn::Set(Distances(), no_distance)};
 }
 
@@ -130,11 +102,14 @@ HWY_INLINE Slots slots_within_reach(const Block& block, std::size_t group, const
   return slots;
 }
 
-// The least bounds over the slots, a distance code for each image, for two regions of the query at a time (so
-// that each candidate is loaded once for both).
-HWY_INLINE void least_bounds(const Block& block, const Slots& slots, const ScreenRegion& first,
-                             const ScreenRegion& second, const std::int16_t* squares, float scale, bool exact,
-                             std::size_t lane, std::uint8_t* out) {
+// The least squared distances over the slots, a lower bound for each image, for two regions of the query at a
+// time (so that each candidate is loaded once for both).
+struct Least {
+  DistanceVector first, second;
+};
+HWY_INLINE Least least_distances(const Block& block, const Slots& slots, const ScreenRegion& first,
+                                 const ScreenRegion& second, const std::int16_t* squares, bool exact,
+                                 std::size_t lane) {
   const Pairs d;
   const Distances du;
   Probe a = probe_of(first, exact);
@@ -145,12 +120,14 @@ HWY_INLINE void least_bounds(const Block& block, const Slots& slots, const Scree
     const PairVector c1 = hn::LoadU(d, row + block_images + lane);
     const PairVector c2 = hn::LoadU(d, row + 2 * block_images + lane);
     const PairVector c3 = hn::LoadU(d, row + 3 * block_images + lane);
+    const PairVector c4 = hn::LoadU(d, row + 4 * block_images + lane);
     const PairVector descriptor = hn::LoadU(d, squares + 2 * slot * block_images + lane);
     const PairVector position = hn::LoadU(d, squares + (2 * slot + 1) * block_images + lane);
     const auto improve = [&](Probe& probe) HWY_ATTR {
-      const auto distance = hn::Add(hn::Add(hn::Add(descriptor, probe.descriptor_rest), dot(c0, probe.q0)),
-                                    hn::Add(dot(c1, probe.q1), dot(c2, probe.q2)));
-      const auto offset = hn::Add(hn::Add(position, probe.position_rest), dot(c3, probe.q3));
+      const auto distance =
+          hn::Add(hn::Add(hn::Add(descriptor, probe.descriptor_rest), dot(c0, probe.q0)),
+                  hn::Add(hn::Add(dot(c1, probe.q1), dot(c2, probe.q2)), dot(c3, probe.q3)));
+      const auto offset = hn::Add(hn::Add(position, probe.position_rest), dot(c4, probe.position));
       const auto admissible = hn::RebindMask(du, hn::Lt(offset, probe.limit));
       const auto less = hn::Min(probe.least, hn::BitCast(du, distance));
       probe.least = hn::IfThenElse(admissible, less, probe.least);
@@ -158,8 +135,23 @@ HWY_INLINE void least_bounds(const Block& block, const Slots& slots, const Scree
     improve(a);
     improve(b);
   }
-  store_distances(a.least, first, scale, out);
-  store_distances(b.least, second, scale, out + block_images);
+  return {a.least, b.least};
+}
+
+// Which images have a squared distance that keeps a limit of the region.
+HWY_INLINE void within_limits(DistanceVector least, const ScreenRegion& region, std::size_t lane,
+                              Passing& passing) {
+  const Distances d;
+  for (std::size_t grade = 0; grade < grades; ++grade) {
+    const auto excess = hn::SaturatedSub(least, hn::Set(d, region.squared_limits[grade]));
+    const auto within = hn::Eq(excess, hn::Zero(d));
+    if (hn::AllFalse(d, within)) break;  // the further limits are narrower
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, within, bytes);
+    for (std::size_t i = 0; i < hn::Lanes(d); i += 8) {
+      passing[grade] |= static_cast<std::uint64_t>(bytes[i / 8]) << (lane + i);
+    }
+  }
 }
 
 // Which images have a k for which the k smallest of their bounds (rows of `bounds`, sorted) keep the limit.
@@ -200,26 +192,40 @@ HWY_INLINE void within_limits(const std::uint8_t* bounds, const ScreenQuery& que
 
 }  // namespace
 
-Passing screen(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
+Passing screen(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work) {
   const Bytes d;
   const std::size_t regions = query.regions.size();
   std::uint8_t* bounds = work;
   auto* squares = reinterpret_cast<std::int16_t*>(work + (regions + 1) * block_images);
   candidate_squares(block, squares);
+  // A part with each two regions: all at once would be waited for.
+  const std::size_t part = next.codes.size() / (block_groups * ((regions + 1) / 2)) + 1;
+  const std::uint8_t* wanted = next.codes.data();
+  const std::uint8_t* wanted_end = wanted + next.codes.size();
   const bool exact = query.exact_positions && block.exact_positions;
+  Passing passing{};
   for (std::size_t group = 0; group < block_groups; ++group) {
     for (std::size_t i = 0; i < regions; i += 2) {
       const ScreenRegion& first = query.regions[i];
       const ScreenRegion& second = query.regions[std::min(i + 1, regions - 1)];
+      const std::uint8_t* part_end = wanted + std::min<std::ptrdiff_t>(wanted_end - wanted, part);
+      for (; wanted < part_end; wanted += 64) __builtin_prefetch(wanted, 0, 2);
       const Slots slots = slots_within_reach(block, group, first, second);
       const std::size_t end = (group + 1) * group_images;
       for (std::size_t lane = group * group_images; lane < end; lane += hn::Lanes(Pairs())) {
-        least_bounds(block, slots, first, second, squares, query.scale, exact, lane,
-                     bounds + i * block_images + lane);
+        const Least least = least_distances(block, slots, first, second, squares, exact, lane);
+        if (query.one_is_enough) {
+          within_limits(least.first, first, lane, passing);
+          within_limits(least.second, second, lane, passing);
+          continue;
+        }
+        std::uint8_t* out = bounds + i * block_images + lane;
+        store_distances(least.first, first, query.scale, out);
+        store_distances(least.second, second, query.scale, out + block_images);
       }
     }
   }
-  Passing passing{};
+  if (query.one_is_enough) return passing;
   for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(d)) {
     for (const auto& [i, j] : query.network) {
       const Vector a = hn::LoadU(d, bounds + i * block_images + lane);
@@ -246,8 +252,8 @@ std::size_t work_bytes(std::size_t slots, std::size_t regions) {
   return (regions + 1 + 4 * slots) * block_images;
 }
 
-Passing screen_block(const Block& block, const ScreenQuery& query, std::uint8_t* work) {
-  return HWY_DYNAMIC_DISPATCH(screen)(block, query, work);
+Passing screen_block(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work) {
+  return HWY_DYNAMIC_DISPATCH(screen)(block, next, query, work);
 }
 
 }  // namespace sailmap::index

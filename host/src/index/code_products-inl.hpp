@@ -1,0 +1,54 @@
+// Products of code bytes, in sixteen-bit lanes: included once per instruction set, by the kernels.
+#if defined(SAILMAP_CODE_PRODUCTS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef SAILMAP_CODE_PRODUCTS_INL
+#undef SAILMAP_CODE_PRODUCTS_INL
+#else
+#define SAILMAP_CODE_PRODUCTS_INL
+#endif
+
+#include <hwy/highway.h>
+
+#include "index/screen.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace sailmap::index {
+namespace HWY_NAMESPACE {
+#if HWY_TARGET != HWY_SCALAR
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Pairs = hn::CappedTag<std::int16_t, group_images>;  // codes, two to a lane
+using PairVector = hn::Vec<Pairs>;
+
+// For each lane the saturated sum of the products of its two bytes, those of `codes` and those of
+// `signed_bytes`.
+HWY_INLINE PairVector dot(PairVector codes, PairVector signed_bytes) {
+#if HWY_TARGET == HWY_SSSE3 || HWY_TARGET == HWY_SSE4
+  return PairVector{_mm_maddubs_epi16(codes.raw, signed_bytes.raw)};
+#elif HWY_TARGET == HWY_AVX2
+  return PairVector{_mm256_maddubs_epi16(codes.raw, signed_bytes.raw)};
+#elif HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+  return PairVector{_mm512_maddubs_epi16(codes.raw, signed_bytes.raw)};
+#else
+  const hn::RebindToUnsigned<Pairs> du;
+  const auto low =
+      hn::Mul(hn::And(codes, hn::Set(Pairs(), 0xFF)), hn::ShiftRight<8>(hn::ShiftLeft<8>(signed_bytes)));
+  const auto high = hn::BitCast(Pairs(), hn::ShiftRight<8>(hn::BitCast(du, codes)));
+  return hn::SaturatedAdd(low, hn::Mul(high, hn::ShiftRight<8>(signed_bytes)));
+#endif
+}
+
+// The two bytes' squares about zeros, summed: up to 127 each.
+HWY_INLINE PairVector squares(PairVector codes, PairVector zeros) {
+  const hn::Repartition<std::int8_t, Pairs> bytes;
+  const auto centred = hn::Sub(hn::BitCast(bytes, codes), hn::BitCast(bytes, zeros));
+  const auto size = hn::BitCast(Pairs(), hn::Abs(centred));
+  return dot(size, size);
+}
+
+#endif  // HWY_SCALAR
+}  // namespace HWY_NAMESPACE
+}  // namespace sailmap::index
+HWY_AFTER_NAMESPACE();
+
+#endif
