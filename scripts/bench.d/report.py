@@ -25,8 +25,8 @@ GROUPS = {
     "screen": (
         "Screening",
         "What bounds a query: an image screened, on a map of 20 000 nodes whose runner-up is known. *Passing*: of 1000 images those "
-        "that screening leaves to the estimate. *With exact codes*: those that any bound without constraint 2 leaves; *by fours*: if "
-        "four consecutive images shared that bound. `estimate`: the next step, for one of those that pass.",
+        "that screening leaves to the second look. *With exact codes*: those that any bound without constraint 2 leaves; *by fours*: if "
+        "four consecutive images shared that bound. `estimate`: the third step, for one of those that pass both.",
     ),
     "insert": ("Insertion", "One more node in a map of so many."),
     "map": ("Map file", "Loading and saving a map of so many nodes."),
