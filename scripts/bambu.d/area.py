@@ -16,13 +16,19 @@ WAIVED = {
     "UNUSEDSIGNAL": "the same",
     "WIDTH": "library components leave it to Verilog to extend and cut numbers",
 }
+# Registers of pipelined functions have no enable; Bambu leaves the wires for it open.
+WAIVED_WIRES = """`verilator_config
+lint_off -rule UNDRIVEN -file "*" -match "Signal is not driven: 'wrenable_reg_*"
+"""
 
 
 def lint(job, seconds):
     """Verilator's warnings of other classes than WAIVED, one a line; a Fault when there are any."""
     waivers = [f"-Wno-{name}" for name in WAIVED]
+    wires = job.folder / "waived.vlt"
+    wires.write_text(WAIVED_WIRES, encoding="utf-8")
     try:
-        checked(["verilator", "--lint-only", "-Wall", *waivers, "--top-module", job.module(), job.verilog],
+        checked(["verilator", "--lint-only", "-Wall", *waivers, "--top-module", job.module(), wires, job.verilog],
                 job.folder / "lint.log", job.folder, seconds)
     except Fault:
         text = (job.folder / "lint.log").read_text(encoding="utf-8")
