@@ -95,8 +95,8 @@ void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& 
                   uint16_t height) {
   uint64_t* const row = MaximaRow<Config, Pair>::words;
   constexpr int behind = 2;
-  const int w = geometry::base_side(width);
-  const int h = geometry::base_side(height);
+  const int w = Config::columns(width, geometry::base_level);
+  const int h = Config::rows(height, geometry::base_level);
   const int end_of_reading = w * h;
   const int start_of_writing = w + behind;
   uint64_t left = 0;
