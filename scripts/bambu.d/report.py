@@ -26,13 +26,13 @@ KINDS = {"xc7": ("lut", "sites", "ff", "bram", "dsp"), "ecp5": ("lut", "ff", "br
 
 
 def number(value):
-    return f"{value:.0f}" if value == int(value) else f"{value:g}"
+    """A dash where nothing was counted."""
+    return "-" if value is None else f"{value:.0f}" if value == int(value) else f"{value:g}"
 
 
 def row(result):
-    """A line of the table; an area that was not counted is a dash."""
-    cells = [number(result["area"][family][kind]) if family in result["area"] else "-" for family, kinds in KINDS.items()
-             for kind in kinds]
+    """A line of the table."""
+    cells = [number(result["area"].get(family, {}).get(kind)) for family, kinds in KINDS.items() for kind in kinds]
     cycles = (f"{result['cycles']}", f"{result['cycles_per_pixel']:.2f}") if "cycles" in result else ("", "")
     return " | ".join([f"| {result['what']}", *cycles, *cells]) + " |"
 
