@@ -2,7 +2,7 @@
 
 import json
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 from job import Fault, checked
 from parts import Modules, anonymous
@@ -16,13 +16,19 @@ WAIVED = {
     "UNUSEDSIGNAL": "the same",
     "WIDTH": "library components leave it to Verilog to extend and cut numbers",
 }
+# Registers of pipelined functions have no enable; Bambu leaves the wires for it open.
+WAIVED_WIRES = """`verilator_config
+lint_off -rule UNDRIVEN -file "*" -match "Signal is not driven: 'wrenable_reg_*"
+"""
 
 
 def lint(job, seconds):
     """Verilator's warnings of other classes than WAIVED, one a line; a Fault when there are any."""
     waivers = [f"-Wno-{name}" for name in WAIVED]
+    wires = job.folder / "waived.vlt"
+    wires.write_text(WAIVED_WIRES, encoding="utf-8")
     try:
-        checked(["verilator", "--lint-only", "-Wall", *waivers, "--top-module", job.module(), job.verilog],
+        checked(["verilator", "--lint-only", "-Wall", *waivers, "--top-module", job.module(), wires, job.verilog],
                 job.folder / "lint.log", job.folder, seconds)
     except Fault:
         text = (job.folder / "lint.log").read_text(encoding="utf-8")
@@ -38,19 +44,36 @@ class Area:
     ff: int
     bram: float
     dsp: int
+    sites: int = 0  # of LUTs, xc7 alone: lut_sites()
 
 
 def sum_of(areas):
     areas = list(areas)
-    return Area(*(sum(getattr(area, field) for area in areas) for field in ("lut", "ff", "bram", "dsp")))
+    return Area(*(sum(getattr(area, field.name) for area in areas) for field in fields(Area)))
+
+
+def lut_sites(luts):
+    """Yosys's estimate of the sites that LUTs fill, in pairs where they are small ("Estimated number of LCs" of its `stat -tech
+    xilinx`, which it does not write as JSON). `luts`: number of LUTs by inputs, 0 to 6."""
+    left = list(luts)
+    sites = 0
+    for larger, smaller in ((6, ()), (5, (1,)), (4, (1, 2)), (3, (1, 2))):
+        sites += left[larger]
+        for partner in smaller:
+            pairs = min(left[larger], left[partner])
+            left[larger] -= pairs
+            left[partner] -= pairs
+    return sites + (left[2] + left[1] + 1) // 2
 
 
 def xc7(cells):
     """LUTs that are memory or shift registers are LUTs: one a RAM32X1D half, four a RAM32M, and so on."""
     as_memory = {"RAM32X1D": 2, "RAM64X1D": 2, "RAM32X1S": 1, "RAM64X1S": 1, "RAM128X1D": 4, "RAM128X1S": 2, "RAM32M": 4,
                  "RAM64M": 4, "RAM256X1S": 4, "SRL16E": 1, "SRLC32E": 1}
-    return Area(lut=sum(cells.get(f"LUT{n}", 0) for n in range(1, 7)) + cells.get("INV", 0) +
-                sum(cells.get(name, 0) * luts for name, luts in as_memory.items()),
+    memory = sum(cells.get(name, 0) * luts for name, luts in as_memory.items())
+    logic = [cells.get(f"LUT{n}", 0) for n in range(7)]
+    logic[1] += cells.get("INV", 0)
+    return Area(lut=sum(logic) + memory, sites=lut_sites(logic) + memory,
                 ff=sum(number for name, number in cells.items() if re.fullmatch(r"FD[RSCP]E(_1)?", name)),
                 bram=cells.get("RAMB36E1", 0) + cells.get("RAMB18E1", 0) / 2, dsp=cells.get("DSP48E1", 0))
 

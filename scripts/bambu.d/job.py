@@ -14,6 +14,11 @@ from tables import ROOT, Fault  # noqa: E402
 # The part of the Zynq-7020 boards; with VVD Bambu has its delays as Vivado reports them.
 DEVICE = "xc7z020-1clg484-VVD"
 PERIOD = 10  # ns
+# Functions that take turns (SAILMAP_SHARED), by their mangled names: each begins anew every cycle. In a header Bambu finds no
+# pragma that says so; names that a top does not have it passes over.
+SHARED = [f"_ZN7sailmap3hls{name}" for level in (3, 4) for name in (
+    f"15shared_contrastILi{level}EEEjtjjj", f"12gabor_filterILi{level}ELi0EEEijsssssiiiiiiiii",
+    f"12gabor_filterILi{level}ELi1EEEijsssssiiiiiiiii")]
 
 
 def checked(command, log, folder, seconds):
@@ -51,7 +56,8 @@ class Job:
         macros = {"MAX_WIDTH": self.width, "MAX_HEIGHT": self.height, "BEAT": self.beat}
         return ["--compiler=I386_CLANG16", "-O2", "--std=c++14", f"-I{ROOT / 'hls/include'}", f"-I{ROOT / 'hls/top'}",
                 *(f"-DSAILMAP_{name}={value}" for name, value in macros.items()), f"--top-fname={self.top.name}",
-                "--generate-interface=INFER", f"--device-name={DEVICE}", f"--clock-period={PERIOD}", "--hls-div=nr1"]
+                "--generate-interface=INFER", f"--device-name={DEVICE}", f"--clock-period={PERIOD}", "--hls-div=nr1",
+                "--pipelining=" + ",".join(f"{name}=1" for name in SHARED)]
 
     def digest(self):
         """Of all that the Verilog depends on."""

@@ -22,11 +22,17 @@ def loaded(folder):
             for path in sorted(Path(folder).glob("*/result.json"))}
 
 
+KINDS = {"xc7": ("lut", "sites", "ff", "bram", "dsp"), "ecp5": ("lut", "ff", "bram", "dsp")}
+
+
+def number(value):
+    """A dash where nothing was counted."""
+    return "-" if value is None else f"{value:.0f}" if value == int(value) else f"{value:g}"
+
+
 def row(result):
-    """A line of the table; an area that was not counted is a dash."""
-    kinds = ("lut", "ff", "bram", "dsp")
-    cells = [f"{result['area'][family][kind]:g}" if family in result["area"] else "-" for family in ("xc7", "ecp5")
-             for kind in kinds]
+    """A line of the table."""
+    cells = [number(result["area"].get(family, {}).get(kind)) for family, kinds in KINDS.items() for kind in kinds]
     cycles = (f"{result['cycles']}", f"{result['cycles_per_pixel']:.2f}") if "cycles" in result else ("", "")
     return " | ".join([f"| {result['what']}", *cycles, *cells]) + " |"
 
@@ -43,22 +49,22 @@ def kernel(stage):
 
 def parts_table(parts):
     """Markdown: the area of a region by kernel, the largest first."""
-    kinds = ("lut", "ff", "bram", "dsp")
+    kinds = KINDS["xc7"]
     groups = {}
     for stage, area in parts.items():
         groups.setdefault(kernel(stage), []).append(area)
     totals = {name: [len(areas), *(sum(area[kind] for area in areas) for kind in kinds)]
               for name, areas in groups.items()}
-    lines = ["| kernel | stages | LUT | FF | BRAM36 | DSP |", "|---|" + "---:|" * 5]
-    lines += [f"| {name} | " + " | ".join(f"{value:g}" if value < 1000 else f"{value:.0f}" for value in values) + " |"
+    lines = ["| kernel | stages | LUT | LUT sites | FF | BRAM36 | DSP |", "|---|" + "---:|" * 6]
+    lines += [f"| {name} | " + " | ".join(map(number, values)) + " |"
               for name, values in sorted(totals.items(), key=lambda item: -item[1][1])]
     return "\n".join(lines)
 
 
 def table(results):
     """Markdown, in the order of tops.csv."""
-    lines = ["| top | cycles a VGA frame | a pixel | LUT | FF | BRAM36 | DSP | ECP5 LUT4 | FF | EBR | MULT18 |",
-             "|---|" + "---:|" * 10]
+    lines = ["| top | cycles a VGA frame | a pixel | LUT | LUT sites | FF | BRAM36 | DSP | ECP5 LUT4 | FF | EBR | MULT18 |",
+             "|---|" + "---:|" * 11]
     rows = sorted(results.values(), key=lambda result: result["order"])
     return "\n".join(lines + [row(result) for result in rows])
 

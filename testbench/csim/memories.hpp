@@ -112,8 +112,7 @@ template <class Config>
 void add_stores(std::vector<Memory>& all) {
   using namespace hls;
   constexpr int buffers = Config::double_buffer ? 2 : 1;
-  all.push_back(
-      memory<decltype(MaximaRows<Config, 0>::newer)>("local maxima: rows", 2 * (orientation_pair + 1)));
+  all.push_back(memory<decltype(MaximaRow<Config, 0>::words)>("local maxima: rows", orientation_pair + 1));
   all.push_back(memory<decltype(StoredMaps<Config, 2, 0, 0>::words)>("store: two intensity maps", buffers));
   all.push_back(memory<decltype(StoredMaps<Config, 4, 1, 0>::words)>("store: four colour maps", buffers));
   all.push_back(

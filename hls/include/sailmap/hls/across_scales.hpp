@@ -37,6 +37,15 @@ inline CoarseColumn coarse_column(uint64_t upper, uint64_t lower) {
   return out;
 }
 
+// A pair of one level's contrasts or energies, or of partial sums.
+inline uint64_t scale_words(uint64_t pair) {
+  static_assert(formats::intensity_contrast::word == 18 && formats::colour_contrast::word == 18 &&
+                    formats::gabor_energy::word == 18 && formats::intensity_partial::word == 18 &&
+                    formats::colour_partial::word == 18 && formats::orientation_partial::word == 18,
+                "18 bits hold what comes in");
+  return narrow_pair<18>(pair);
+}
+
 // `four`: the sum of the four coarse neighbours.
 template <int Level>
 inline uint32_t scale_sum(uint32_t four, uint32_t fine) {
@@ -61,7 +70,7 @@ void across_scales(stream<uint64_t>& coarse, stream<uint64_t>& fine, stream<uint
 #pragma nounroll
   for (int x = 0; x < coarse_w; ++x) {
     SAILMAP_PIPELINE
-    memory[x] = coarse.read();
+    memory[x] = scale_words(coarse.read());
   }
 #pragma nounroll
   for (int y = 0; y < h; ++y) {
@@ -73,15 +82,15 @@ void across_scales(stream<uint64_t>& coarse, stream<uint64_t>& fine, stream<uint
     for (int x = 0; x <= coarse_w; ++x) {
       SAILMAP_PIPELINE_II(2)
       if (x < coarse_w) {
-        const uint64_t upper = memory[x];
+        const uint64_t upper = scale_words(memory[x]);
         uint64_t lower = upper;
-        if (reads) lower = coarse.read();
+        if (reads) lower = scale_words(coarse.read());
         memory[x] = lower;
         right = coarse_column(upper, lower);
       }
       if (x > 0) {
-        out.write(scale_pixel<Level>(left, left, fine.read()));
-        if (2 * x - 1 < w) out.write(scale_pixel<Level>(left, right, fine.read()));
+        out.write(scale_pixel<Level>(left, left, scale_words(fine.read())));
+        if (2 * x - 1 < w) out.write(scale_pixel<Level>(left, right, scale_words(fine.read())));
       }
       left = right;
     }

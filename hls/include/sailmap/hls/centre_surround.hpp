@@ -125,6 +125,10 @@ inline ColumnTaps<Word> column_taps(Word read, bool is_read, ColumnPlace at, con
   return taps;
 }
 
+// Sums of up to 16 and 8 samples.
+constexpr int large_column_bits = formats::intensity::word + 4;
+constexpr int small_column_bits = formats::intensity::word + 3;
+
 // Column sums over the large and the small window, and the centre pixel, of one channel.
 struct BoxColumn {
   uint32_t large, small;
@@ -145,8 +149,8 @@ inline BoxColumn box_column(ColumnPlace at, bool first_row, uint16_t newest, uin
   const uint32_t small_leaves = first_row ? newest : small_out;
   static_assert(large_side == 15 && small_side == 7, "the first row weighs 16 - 1 and 8 - 1");
   BoxColumn out = {0, 0, centre};
-  out.large = static_cast<uint32_t>(before) + large_enters - large_leaves;
-  out.small = static_cast<uint32_t>(before >> 32) + small_enters - small_leaves;
+  out.large = narrow<large_column_bits>(wide_lane<0>(before) + large_enters - large_leaves);
+  out.small = narrow<small_column_bits>(wide_lane<1>(before) + small_enters - small_leaves);
   sums[at.takes ? at.x : Stage::columns] = static_cast<uint64_t>(out.small) << 32 | out.large;
   return out;
 }
@@ -177,41 +181,43 @@ struct BoxWindow {
   ShiftRegister<geometry::surround_radius_large, uint16_t> centres;
 
   void next(const BoxColumn& column) {
-    large += column.large - large_columns.push(column.large);
+    large =
+        narrow<formats::intensity_box_large::word>(large + column.large - large_columns.push(column.large));
     const uint32_t enters = until_small.push(column.small);
-    small += enters - small_columns.push(enters);
+    small = narrow<formats::intensity_box_small::word>(small + enters - small_columns.push(enters));
     centre = centres.push(column.centre);
   }
 };
 
-// contrast() of the centre; the coarsest level has the time to take one channel after the other through it.
-// Level 3 has less than its number of pixels says: its rows come in the time of one row of level 2.
-template <int Level, bool IsFine = Level != geometry::top_level>
+// contrast() of the centre. On the coarser levels there is time to take one channel after the other through
+// it, in Bambu one a cycle (SAILMAP_SHARED).
+template <int Level, bool IsBase = Level == geometry::base_level>
 struct Contrasts {
-  static uint32_t of(uint16_t centre, uint32_t small, uint32_t large, int sign) {
-    return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), sign);
+  static uint32_t of(uint16_t centre, uint32_t small, uint32_t large, bool off) {
+    return contrast(centre, static_cast<int32_t>(small), static_cast<int32_t>(large), off ? -1 : 1);
   }
 };
 template <int Level>
-SAILMAP_SHARED uint32_t shared_contrast(uint16_t centre, uint32_t small, uint32_t large, bool off) {
-  const auto small_sum = static_cast<int32_t>(small & ((1U << formats::intensity_box_small::word) - 1));
-  const auto large_sum = static_cast<int32_t>(large & ((1U << formats::intensity_box_large::word) - 1));
+SAILMAP_SHARED uint32_t shared_contrast(uint16_t centre, uint32_t small, uint32_t large, uint32_t kind) {
+  const auto small_sum = static_cast<int32_t>(narrow<formats::intensity_box_small::word>(small));
+  const auto large_sum = static_cast<int32_t>(narrow<formats::intensity_box_large::word>(large));
+  const bool off = (untagged<Level>(kind) & 1U) != 0;
   return contrast(centre, small_sum, large_sum, off ? -1 : 1);
 }
 template <int Level>
 struct Contrasts<Level, false> {
-  static uint32_t of(uint16_t centre, uint32_t small, uint32_t large, int sign) {
-    return shared_contrast<Level>(centre, small, large, sign < 0);
+  static uint32_t of(uint16_t centre, uint32_t small, uint32_t large, bool off) {
+    return shared_contrast<Level>(centre, small, large, tagged<Level>(off ? 1 : 0));
   }
 };
 
 template <int Level>
 inline uint32_t on_contrast(const BoxWindow& w) {
-  return Contrasts<Level>::of(w.centre, w.small, w.large, 1);
+  return Contrasts<Level>::of(w.centre, w.small, w.large, false);
 }
 template <int Level>
 inline uint32_t off_contrast(const BoxWindow& w) {
-  return Contrasts<Level>::of(w.centre, w.small, w.large, -1);
+  return Contrasts<Level>::of(w.centre, w.small, w.large, true);
 }
 
 // The words that a turn has for the next one to write.

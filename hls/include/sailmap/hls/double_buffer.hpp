@@ -28,7 +28,8 @@ void take_turns(stream<lanes_t<Count> >& in, stream<uint8_t>& in_flags, stream<u
                 stream<uint8_t>& turn_a, stream<lanes_t<Count> >& out_a, stream<uint8_t>& flags_a,
                 stream<uint8_t>& turn_b, stream<lanes_t<Count> >& out_b, stream<uint8_t>& flags_b,
                 uint16_t width, uint16_t height) {
-  const int pixels = geometry::base_side(width) * geometry::base_side(height);
+  const int pixels =
+      Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
   const uint8_t whose = Turn<Config, Count, Kind>::next;
   Turn<Config, Count, Kind>::next = static_cast<uint8_t>(1 - whose);
   turn.write(whose);
@@ -61,7 +62,8 @@ void collect_turns(stream<uint8_t>& turn, stream<uint32_t>& statistics_a, stream
                    stream<uint32_t>& statistics_b, stream<lanes_t<Count> >& in_b,
                    stream<uint32_t>& statistics, stream<lanes_t<Count> >& out, uint16_t width,
                    uint16_t height) {
-  const int pixels = geometry::base_side(width) * geometry::base_side(height);
+  const int pixels =
+      Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
   const uint8_t whose = turn.read();
 #pragma nounroll
   for (int i = 0; i < 2 * Count; ++i)

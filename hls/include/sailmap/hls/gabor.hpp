@@ -31,9 +31,9 @@ struct NineTaps {
   int32_t a, b, c, d, e, f, g, h, i;
 };
 
-// Filters that read the same forwards and backwards, or change sign: half the multiplications. The base level
-// and level 3, whose rows come in the time of one of its rows, have their filters side by side.
-template <int Level, int Half, bool IsFine = Level != geometry::top_level>
+// Filters that read the same forwards and backwards, or change sign: half the multiplications. On the base
+// level, whose rows Bambu has to work through before the next ones can come, the filters stand side by side.
+template <int Level, int Half, bool IsBase = Level == geometry::base_level>
 struct GaborFilter {
   static int32_t symmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
     return taps[0] * (p.a + p.i) + taps[1] * (p.b + p.h) + taps[2] * (p.c + p.g) + taps[3] * (p.d + p.f) +
@@ -44,38 +44,37 @@ struct GaborFilter {
   }
 };
 
-// A pixel or a column sum, for which 17 bits are enough. `Half` more keep the two filters apart: Bambu makes
-// one of two functions that do the same.
-template <int Half>
-inline int32_t few_bits(int32_t value) {
-  return (value << (15 - Half)) >> (15 - Half);
-}
+// A pixel or a column sum, for which 17 bits are enough.
+inline int32_t few_bits(int32_t value) { return narrow_signed<17>(value); }
 
-// The coarsest level has a sixteenth of its pixels: two filters, which work through half of them each.
+// A coarser level has a quarter of its pixels or less, in half of its rows or less: two filters, which work
+// through half of them each, in Bambu one a cycle (SAILMAP_SHARED).
 template <int Level, int Half>
-SAILMAP_SHARED int32_t gabor_filter(bool antisymmetric, int16_t t0, int16_t t1, int16_t t2, int16_t t3,
-                                    int16_t t4, int32_t a, int32_t b, int32_t c, int32_t d, int32_t e,
-                                    int32_t f, int32_t g, int32_t h, int32_t i) {
-  const int32_t far4 = few_bits<Half>(antisymmetric ? -i : i);
-  const int32_t far3 = few_bits<Half>(antisymmetric ? -h : h);
-  const int32_t far2 = few_bits<Half>(antisymmetric ? -g : g);
-  const int32_t far1 = few_bits<Half>(antisymmetric ? -f : f);
-  return t0 * (few_bits<Half>(a) + far4) + t1 * (few_bits<Half>(b) + far3) + t2 * (few_bits<Half>(c) + far2) +
-         t3 * (few_bits<Half>(d) + far1) + t4 * few_bits<Half>(e);
+SAILMAP_SHARED int32_t gabor_filter(uint32_t kind, int16_t t0, int16_t t1, int16_t t2, int16_t t3, int16_t t4,
+                                    int32_t a, int32_t b, int32_t c, int32_t d, int32_t e, int32_t f,
+                                    int32_t g, int32_t h, int32_t i) {
+  const bool antisymmetric = (untagged<2 * Level + Half>(kind) & 1U) != 0;
+  const int32_t far4 = few_bits(antisymmetric ? -i : i);
+  const int32_t far3 = few_bits(antisymmetric ? -h : h);
+  const int32_t far2 = few_bits(antisymmetric ? -g : g);
+  const int32_t far1 = few_bits(antisymmetric ? -f : f);
+  return t0 * (few_bits(a) + far4) + t1 * (few_bits(b) + far3) + t2 * (few_bits(c) + far2) +
+         t3 * (few_bits(d) + far1) + t4 * few_bits(e);
 }
 
 template <int Level, int Half>
 struct GaborFilter<Level, Half, false> {
   static int32_t symmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
-    return gabor_filter<Level, Half>(false, static_cast<int16_t>(taps[0]), static_cast<int16_t>(taps[1]),
-                                     static_cast<int16_t>(taps[2]), static_cast<int16_t>(taps[3]),
-                                     static_cast<int16_t>(taps[4]), p.a, p.b, p.c, p.d, p.e, p.f, p.g, p.h,
-                                     p.i);
+    return gabor_filter<Level, Half>(tagged<2 * Level + Half>(0), static_cast<int16_t>(taps[0]),
+                                     static_cast<int16_t>(taps[1]), static_cast<int16_t>(taps[2]),
+                                     static_cast<int16_t>(taps[3]), static_cast<int16_t>(taps[4]), p.a, p.b,
+                                     p.c, p.d, p.e, p.f, p.g, p.h, p.i);
   }
   static int32_t antisymmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
-    return gabor_filter<Level, Half>(true, static_cast<int16_t>(taps[0]), static_cast<int16_t>(taps[1]),
-                                     static_cast<int16_t>(taps[2]), static_cast<int16_t>(taps[3]), 0, p.a,
-                                     p.b, p.c, p.d, p.e, p.f, p.g, p.h, p.i);
+    return gabor_filter<Level, Half>(tagged<2 * Level + Half>(1), static_cast<int16_t>(taps[0]),
+                                     static_cast<int16_t>(taps[1]), static_cast<int16_t>(taps[2]),
+                                     static_cast<int16_t>(taps[3]), 0, p.a, p.b, p.c, p.d, p.e, p.f, p.g, p.h,
+                                     p.i);
   }
 };
 

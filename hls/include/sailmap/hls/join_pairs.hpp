@@ -18,7 +18,8 @@ template <class Config, int Kind>
 void join_pairs(stream<uint32_t>& low, stream<uint8_t>& low_flags, stream<uint32_t>& high,
                 stream<uint8_t>& high_flags, stream<uint64_t>& out, stream<uint8_t>& flags, uint16_t width,
                 uint16_t height) {
-  const int pixels = geometry::base_side(width) * geometry::base_side(height);
+  const int pixels =
+      Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
 #pragma nounroll
   for (int i = Kind; i < pixels + Kind; ++i) {
     SAILMAP_PIPELINE

@@ -70,6 +70,35 @@ inline uint64_t wide_pair(uint32_t a, uint32_t b) {
   return static_cast<uint64_t>(a) | static_cast<uint64_t>(b) << 32;
 }
 
+// The low bits of a number that has no more of them: nothing is lost, and a tool is told how wide its
+// registers and adders need be where a number comes from a memory or a FIFO.
+template <int Bits>
+constexpr uint32_t narrow(uint32_t value) {
+  static_assert(Bits > 0 && Bits < 32, "narrower than the native number");
+  return value & ((uint32_t{1} << Bits) - 1);
+}
+// The same of a number with a sign.
+template <int Bits>
+inline int32_t narrow_signed(int32_t value) {
+  return static_cast<int32_t>(static_cast<uint32_t>(value) << (32 - Bits)) >> (32 - Bits);
+}
+// Both lanes of a pair.
+template <int Bits>
+constexpr uint64_t narrow_pair(uint64_t pair) {
+  return pair & (uint64_t{narrow<Bits>(~uint32_t{0})} << 32 | narrow<Bits>(~uint32_t{0}));
+}
+
+// What a function is told that stages share (SAILMAP_SHARED), and its number among those alike: Bambu makes
+// one of two functions that do the same, and misses the other.
+template <int Number>
+constexpr uint32_t tagged(uint32_t bits) {
+  return bits << Number;
+}
+template <int Number>
+constexpr uint32_t untagged(uint32_t tagged_bits) {
+  return tagged_bits >> Number;
+}
+
 // Count numbers of one type, one scalar each: registers, to every tool.
 template <int Count, class T>
 struct Lanes {

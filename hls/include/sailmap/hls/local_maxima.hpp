@@ -18,25 +18,27 @@
 namespace sailmap {
 namespace hls {
 
-// The last two rows; `newer` is the one above the newest.
+// Every pixel is compared with each neighbour once, by the later of the two: the earlier one holds as a
+// maximum when the later one is not greater, the later one when it is. So a pixel goes along as a word: its
+// sum, and above it whether it still holds. No sum has more than 22 bits: numbers that are no wider spare
+// registers and comparators.
+constexpr int maxima_sum_bits = formats::colour_conspicuity_sum::word;
+constexpr int maxima_word_bits = maxima_sum_bits + 1;
+constexpr uint32_t holds = uint32_t{1} << maxima_sum_bits;
+
+// A row: the newest up to the newest column, behind it the one above.
 template <class Config, int Pair>
-struct MaximaRows {
-  static uint64_t newer[Config::level_width(geometry::base_level)];
-  static uint64_t older[Config::level_width(geometry::base_level)];
+struct MaximaRow {
+  static uint64_t words[Config::level_width(geometry::base_level)];
 };
 template <class Config, int Pair>
-SAILMAP_MEMORY uint64_t MaximaRows<Config, Pair>::newer[Config::level_width(geometry::base_level)];
-template <class Config, int Pair>
-SAILMAP_MEMORY uint64_t MaximaRows<Config, Pair>::older[Config::level_width(geometry::base_level)];
+SAILMAP_MEMORY uint64_t MaximaRow<Config, Pair>::words[Config::level_width(geometry::base_level)];
 
-// No sum has more than 22 bits, and none loses any by the mask, which tells a tool how wide its registers and
-// comparisons need be.
-constexpr uint32_t sum_bits = (1U << formats::colour_conspicuity_sum::word) - 1;
-inline uint64_t masked(uint64_t sums) { return sums & wide_pair(sum_bits, sum_bits); }
+inline uint32_t maxima_sum(uint32_t word) { return narrow<maxima_sum_bits>(word); }
 
-// Three rows of one column, a pair each; 0 `below` the last row.
-struct MaximaColumn {
-  uint64_t above, here, below;
+// The newest pixel of one map and the neighbours before it: left in its row, and the three above.
+struct MaximaPixels {
+  uint32_t newest, left, above_left, above, above_right;
 };
 
 // Where a pixel has no neighbours.
@@ -44,98 +46,91 @@ struct MaximaEdges {
   bool first_column, last_column, first_row;
 };
 
-// Lane `Lane` of the pair at the centre of three columns. No sum is less than the 0 below the last row.
 template <int Lane>
-SAILMAP_INLINED bool is_local_maximum(const MaximaColumn& left, const MaximaColumn& mid,
-                                      const MaximaColumn& right, const MaximaEdges& at) {
-  const uint32_t v = wide_lane<Lane>(mid.here);
-  const bool over_left = (at.first_row || v > wide_lane<Lane>(left.above)) &&
-                         v > wide_lane<Lane>(left.here) && v >= wide_lane<Lane>(left.below);
-  const bool over_mid = (at.first_row || v > wide_lane<Lane>(mid.above)) && v >= wide_lane<Lane>(mid.below);
-  const bool over_right = (at.first_row || v > wide_lane<Lane>(right.above)) &&
-                          v >= wide_lane<Lane>(right.here) && v >= wide_lane<Lane>(right.below);
-  return (at.first_column || over_left) && over_mid && (at.last_column || over_right);
+inline MaximaPixels maxima_lane(uint64_t newest, uint64_t left, uint64_t above_left, uint64_t above,
+                                uint64_t above_right) {
+  const MaximaPixels p = {wide_lane<Lane>(newest), wide_lane<Lane>(left), wide_lane<Lane>(above_left),
+                          wide_lane<Lane>(above), wide_lane<Lane>(above_right)};
+  return p;
 }
 
-SAILMAP_INLINED uint8_t maxima_flags(const MaximaColumn& left, const MaximaColumn& mid,
-                                     const MaximaColumn& right, const MaximaEdges& at) {
-  return static_cast<uint8_t>((is_local_maximum<0>(left, mid, right, at) ? 1 : 0) |
-                              (is_local_maximum<1>(left, mid, right, at) ? 2 : 0));
+// Compares the newest pixel, a sum alone, with those before it.
+SAILMAP_INLINED MaximaPixels compared(const MaximaPixels& p, const MaximaEdges& at) {
+  const bool over_left = p.newest > maxima_sum(p.left);
+  const bool over_above_left = p.newest > maxima_sum(p.above_left);
+  const bool over_above = p.newest > maxima_sum(p.above);
+  const bool over_above_right = p.newest > maxima_sum(p.above_right);
+  const bool over_row = at.first_column || over_left;
+  const bool over_rows = at.first_row || ((at.first_column || over_above_left) && over_above &&
+                                          (at.last_column || over_above_right));
+  MaximaPixels out = p;
+  out.newest = p.newest | (over_row && over_rows ? holds : 0U);
+  out.left = p.left & ~(!at.first_column && over_left ? holds : 0U);
+  out.above_left = p.above_left & ~(!at.first_column && over_above_left ? holds : 0U);
+  out.above = p.above & ~(over_above ? holds : 0U);
+  out.above_right = p.above_right & ~(!at.last_column && over_above_right ? holds : 0U);
+  return out;
 }
 
 // The pair in the words of the stores.
 template <int Pair>
-inline uint32_t stored_pair(uint64_t sums) {
-  const uint32_t a = wide_lane<0>(sums);
-  const uint32_t b = wide_lane<1>(sums);
+inline uint32_t stored_pair(uint64_t words) {
+  const uint32_t a = maxima_sum(wide_lane<0>(words));
+  const uint32_t b = maxima_sum(wide_lane<1>(words));
   return Pair == intensity_colour_pair ? pack(intensity_conspicuity(a), colour_conspicuity(b))
          : Pair == orientation_pair    ? pack(orientation_conspicuity(a), 0)
                                        : pack(feature(a), feature(b));
 }
 
-// Column x with one row more, `below`.
-template <class Config, int Pair>
-inline MaximaColumn next_row(int x, uint64_t below) {
-  using Rows = MaximaRows<Config, Pair>;
-  const MaximaColumn column = {masked(Rows::older[x]), masked(Rows::newer[x]), below};
-  Rows::older[x] = column.here;
-  Rows::newer[x] = below;
-  return column;
+inline uint8_t maxima_flags(uint64_t words) {
+  return static_cast<uint8_t>(((wide_lane<0>(words) & holds) != 0 ? 1 : 0) |
+                              ((wide_lane<1>(words) & holds) != 0 ? 2 : 0));
 }
 
-// The pixel that goes out, `mid`, at column `x` of its row, and its neighbours.
-template <class Config, int Pair>
-struct MaximaWindow {
-  MaximaColumn left, mid, right;
-  int x;
-
-  SAILMAP_INLINED void write(stream<uint32_t>& out, stream<uint8_t>& flags, int width, bool first_row) const {
-    const MaximaEdges at = {x == 0, x + 1 == width, first_row};
-    out.write(stored_pair<Pair>(mid.here));
-    flags.write(maxima_flags(left, mid, right, at));
-  }
-  void next(const MaximaColumn& column, int width) {
-    left = mid;
-    mid = right;
-    right = column;
-    x = x + 1 == width ? 0 : x + 1;
-  }
-};
-
-// A loop for the first row, which gives nothing out, one for all others and one behind the last: without
-// cases Bambu needs half the time. From the second row on rows run on into each other, two pixels behind what
-// is read: all that a turn writes is there when it begins, so that it need not wait for what it reads.
+// One loop, in which rows run on into each other, from the first pixel to the last one out: reading starts a
+// row and two pixels before writing. All that a turn writes is there when it begins, so that it need not wait
+// for what it reads. Behind the last row come zeros, which no pixel is less than.
 template <class Config, int Pair>
 void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& flags, uint16_t width,
                   uint16_t height) {
-  using Rows = MaximaRows<Config, Pair>;
+  uint64_t* const row = MaximaRow<Config, Pair>::words;
   constexpr int behind = 2;
-  const int w = geometry::base_side(width);
-  const int h = geometry::base_side(height);
-#pragma nounroll
-  for (int x = 0; x < w; ++x) {
-    SAILMAP_PIPELINE
-    Rows::newer[x] = masked(in.read());
-  }
-  MaximaWindow<Config, Pair> window = MaximaWindow<Config, Pair>();
-  window.x = w - behind;
+  const int w = Config::columns(width, geometry::base_level);
+  const int h = Config::rows(height, geometry::base_level);
+  const int end_of_reading = w * h;
+  const int start_of_writing = w + behind;
+  uint64_t left = 0;
+  uint64_t above_left = 0;
+  uint64_t above = 0;
+  uint64_t done = 0;
   int x = 0;
 #pragma nounroll
-  for (; x < behind; ++x) window.next(next_row<Config, Pair>(x, masked(in.read())), w);
-  const int pixels = w * (h - 1);
-#pragma nounroll
-  for (int i = behind; i < pixels; ++i) {
+  for (int i = 0; i < end_of_reading + start_of_writing; ++i) {
     SAILMAP_PIPELINE
-    window.write(out, flags, w, i < w + behind);
-    window.next(next_row<Config, Pair>(x, masked(in.read())), w);
-    x = x + 1 == w ? 0 : x + 1;
-  }
-  const MaximaColumn outside = {0, 0, 0};
-#pragma nounroll
-  for (x = 0; x < w + behind; ++x) {
-    SAILMAP_PIPELINE
-    window.write(out, flags, w, false);
-    window.next(x < w ? next_row<Config, Pair>(x, 0) : outside, w);
+    const bool reads = i < end_of_reading;
+    const bool writes = i >= start_of_writing;
+    uint64_t newest = 0;
+    if (reads && writes) {
+      out.write(stored_pair<Pair>(done));
+      newest = in.read();
+      flags.write(maxima_flags(done));
+    } else if (reads) {
+      newest = in.read();
+    } else {
+      out.write(stored_pair<Pair>(done));
+      flags.write(maxima_flags(done));
+    }
+    newest = narrow_pair<maxima_sum_bits>(newest);
+    const MaximaEdges at = {x == 0, x + 1 == w, i < w};
+    const uint64_t above_right = narrow_pair<maxima_word_bits>(row[at.last_column ? 0 : x + 1]);
+    const MaximaPixels a = compared(maxima_lane<0>(newest, left, above_left, above, above_right), at);
+    const MaximaPixels b = compared(maxima_lane<1>(newest, left, above_left, above, above_right), at);
+    row[at.first_column ? w - 1 : x - 1] = wide_pair(a.left, b.left);
+    done = wide_pair(a.above_left, b.above_left);
+    above_left = wide_pair(a.above, b.above);
+    above = wide_pair(a.above_right, b.above_right);
+    left = wide_pair(a.newest, b.newest);
+    x = at.last_column ? 0 : x + 1;
   }
 }
 

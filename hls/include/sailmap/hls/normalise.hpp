@@ -85,7 +85,8 @@ struct LaneGains<0> {
 template <class Config, int Count, int Kind>
 void normalise(stream<uint32_t>& gains_in, stream<lanes_t<Count> >& maps, stream<lanes_t<Count> >& maps_out,
                stream<typename NormalisedSum<Kind>::word>& sum_out, uint16_t width, uint16_t height) {
-  const int pixels = geometry::base_side(width) * geometry::base_side(height);
+  const int pixels =
+      Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
   LaneGains<Count> lanes = LaneGains<Count>();
   lanes.clear();
 #pragma nounroll

@@ -18,8 +18,10 @@ namespace sailmap {
 namespace hls {
 
 // The vertical sums of one column of one channel, packed for a line buffer: `open` low, `next` high.
-inline uint32_t open_sum(uint64_t sums) { return static_cast<uint32_t>(sums); }
-inline uint32_t next_sum(uint64_t sums) { return static_cast<uint32_t>(sums >> 32); }
+// Each is a part of 256 samples.
+constexpr int sum_bits = formats::colour::word + 8;
+inline uint32_t open_sum(uint64_t sums) { return narrow<sum_bits>(wide_lane<0>(sums)); }
+inline uint32_t next_sum(uint64_t sums) { return narrow<sum_bits>(wide_lane<1>(sums)); }
 inline uint64_t pack_sums(uint32_t open, uint32_t next) { return static_cast<uint64_t>(next) << 32 | open; }
 
 // Where a row stands in the vertical sums.
@@ -53,12 +55,13 @@ inline uint64_t add_row(uint64_t sums, uint32_t row, RowKind kind) {
   const uint32_t own = four + (kind.even ? 2 * row : 0);
   const uint32_t edge = row + (kind.even ? four : 0);
   const uint32_t beyond = kind.first || kind.last ? edge : 0;
-  const uint32_t younger = kind.even ? 0 : next + 3 * row;
-  return pack_sums(before + own + beyond, younger + row);
+  const uint32_t younger = kind.even ? 0 : next;
+  const uint32_t share = kind.even ? row : four;
+  return pack_sums(narrow<sum_bits>(before + own + beyond), narrow<sum_bits>(younger + share));
 }
 
 // The complete sum that a row with emits() yields, from the sums before it.
-inline uint32_t completed(uint64_t sums, uint32_t row) { return open_sum(sums) + row; }
+inline uint32_t completed(uint64_t sums, uint32_t row) { return narrow<sum_bits>(open_sum(sums) + row); }
 
 // A sum of weight 256 of level `Fine` as a sample of the next level; Channel 0 is the intensity.
 template <int Fine, int Channel>

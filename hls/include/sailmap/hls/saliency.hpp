@@ -15,7 +15,8 @@ template <class Config>
 void pair_conspicuities(stream<uint32_t>& intensity, stream<uint32_t>& colour, stream<uint32_t>& orientation,
                         stream<uint64_t>& intensity_colour, stream<uint64_t>& orientation_alone,
                         uint16_t width, uint16_t height) {
-  const int pixels = geometry::base_side(width) * geometry::base_side(height);
+  const int pixels =
+      Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
 #pragma nounroll
   for (int i = 0; i < pixels; ++i) {
     SAILMAP_PIPELINE

@@ -7,6 +7,7 @@
 // replay. Exact. `Kind` and `Bank` tell the instances apart.
 #pragma once
 
+#include "sailmap/hls/formats.hpp"
 #include "sailmap/hls/geometry.hpp"
 #include "sailmap/hls/kinds.hpp"
 #include "sailmap/hls/lanes.hpp"
@@ -90,7 +91,7 @@ struct LaneStatistics {
   template <class Word>
   void count(Word word, uint8_t flags) {
     const bool high = 2 * static_cast<uint32_t>(lane<0>(word)) > maximum;
-    maxima += (flags & 1) != 0 && high ? 1 : 0;
+    maxima = narrow<formats::maxima_count::word>(maxima + ((flags & 1) != 0 && high ? 1U : 0U));
     rest.count(static_cast<Word>(word >> lane_bits), static_cast<uint8_t>(flags >> 1));
   }
   void write(stream<uint32_t>& out) const {
@@ -114,7 +115,8 @@ void store(stream<lanes_t<Count> >& in, stream<uint8_t>& in_flags, stream<uint32
            stream<lanes_t<Count> >& out, uint16_t width, uint16_t height) {
   using Maps = StoredMaps<Config, Count, Kind, Bank>;
   using Flags = StoredFlags<Config, Count, Kind, Bank>;
-  const auto pixels = static_cast<unsigned>(geometry::base_side(width) * geometry::base_side(height));
+  const auto pixels = static_cast<unsigned>(Config::columns(width, geometry::base_level) *
+                                            Config::rows(height, geometry::base_level));
   LaneStatistics<Count> lanes = LaneStatistics<Count>();
   lanes.clear();
   uint32_t flags = 0;
