@@ -31,7 +31,7 @@ class Context(ProgramCase):
         result, scores = self.evaluate("--method", "context")
         self.assertEqual(scores.dtype, np.float32)
         self.assertGreater(result["average_precision"], 0.95)
-        self.assertEqual(result["fixed_threshold"]["threshold"], 0.3)
+        self.assertEqual(result["fixed_threshold"]["threshold"], 0.2)
         known = scores[~np.isnan(scores)]
         self.assertTrue((known >= 0).all() and (known <= 1).all())
         self.assertTrue(np.isnan(scores[8, 3:]).all())
