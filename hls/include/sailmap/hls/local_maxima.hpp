@@ -20,9 +20,15 @@ namespace hls {
 
 // Every pixel is compared with each neighbour once, by the later of the two: the earlier one holds as a
 // maximum when the later one is not greater, the later one when it is. So a pixel goes along as a word: its
-// sum, and above it whether it still holds. No sum has more than 22 bits: numbers that are no wider spare
-// registers and comparators.
+// sum, in the bits of the widest, since more would cost registers and comparators, and above it whether it
+// still holds.
 constexpr int maxima_sum_bits = formats::colour_conspicuity_sum::word;
+static_assert(formats::intensity_sum::word <= maxima_sum_bits &&
+                  formats::colour_sum::word <= maxima_sum_bits &&
+                  formats::orientation_sum::word <= maxima_sum_bits &&
+                  formats::intensity_conspicuity_sum::word <= maxima_sum_bits &&
+                  formats::orientation_conspicuity_sum::word <= maxima_sum_bits,
+              "no sum loses a bit");
 constexpr int maxima_word_bits = maxima_sum_bits + 1;
 constexpr uint32_t holds = uint32_t{1} << maxima_sum_bits;
 
