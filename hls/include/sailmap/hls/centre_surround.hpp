@@ -128,6 +128,10 @@ inline ColumnTaps<Word> column_taps(Word read, bool is_read, ColumnPlace at, con
 // Sums of up to 16 and 8 samples.
 constexpr int large_column_bits = formats::intensity::word + 4;
 constexpr int small_column_bits = formats::intensity::word + 3;
+static_assert(formats::colour::word <= formats::intensity::word &&
+                  formats::colour_box_large::word <= formats::intensity_box_large::word &&
+                  formats::colour_box_small::word <= formats::intensity_box_small::word,
+              "no sum of a colour loses a bit");
 
 // Column sums over the large and the small window, and the centre pixel, of one channel.
 struct BoxColumn {

@@ -20,6 +20,7 @@ namespace hls {
 // The vertical sums of one column of one channel, packed for a line buffer: `open` low, `next` high.
 // Each is a part of 256 samples.
 constexpr int sum_bits = formats::colour::word + 8;
+static_assert(formats::intensity::word <= formats::colour::word, "no sum of the intensity loses a bit");
 inline uint32_t open_sum(uint64_t sums) { return narrow<sum_bits>(wide_lane<0>(sums)); }
 inline uint32_t next_sum(uint64_t sums) { return narrow<sum_bits>(wide_lane<1>(sums)); }
 inline uint64_t pack_sums(uint32_t open, uint32_t next) { return static_cast<uint64_t>(next) << 32 | open; }
