@@ -46,11 +46,10 @@ class Upkeep(ProgramCase):
         self.fails("map", "recover", "m.map", "--out", "r.map", says="r.map: exists already")
 
     def test_a_log_left_by_a_killed_run_is_read(self):
-        with subprocess.Popen([SAILMAP, "run", "images", "--map", "k.map", "--exclude-recent", "3"],
-                              cwd=self.folder, stdout=subprocess.PIPE, text=True) as running:
-            told = running.stdout.readline()  # committed before it was told
-            running.kill()
-        self.assertIn("loop closure: image 6", told)
+        running = self.start_program("run", "images", "--map", "k.map", "--exclude-recent", "3")
+        running.kill()
+        running.communicate()
+        self.assertIn("loop closure: image 6", running.first_line)  # committed before it was told
         result = json.loads(self.run_program("map", "check", "k.map", "--json"))
         self.assertTrue(result["sound"])
         self.assertGreaterEqual(result["images"], 7)
@@ -130,11 +129,9 @@ class Disks(ProgramCase):
         ])
 
     def test_a_map_that_goes_away_during_a_run(self):
-        with subprocess.Popen([SAILMAP, "run", "images", "--map", "m.map", "--exclude-recent", "3"], cwd=self.folder,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
-            running.stdout.readline()
-            shutil.move(self.folder / "m.map", self.folder / "moved.map")
-            running.communicate(timeout=60)
+        running = self.start_program("run", "images", "--map", "m.map", "--exclude-recent", "3")
+        shutil.move(self.folder / "m.map", self.folder / "moved.map")
+        running.communicate(timeout=60)
         # On Linux the open file goes on under its new name.
         self.assertTrue(pathlib.Path(self.folder / "moved.map").exists())
 
@@ -156,11 +153,9 @@ class Sources(ProgramCase):
 
     def test_a_polite_end(self):
         self.write_sequence([i % 100 for i in range(300)])
-        with subprocess.Popen([SAILMAP, "run", "images", "--map", "m.map"], cwd=self.folder, stdout=subprocess.PIPE,
-                              text=True) as running:
-            running.stdout.readline()
-            running.terminate()
-            rest = running.communicate(timeout=60)[0]
+        running = self.start_program("run", "images", "--map", "m.map")
+        running.terminate()
+        rest = running.communicate(timeout=60)[0]
         self.assertEqual(running.returncode, 0)
         images = json.loads(self.run_program("map", "check", "m.map", "--json"))["images"]
         self.assertIn(f"m.map: {images} images", rest)
@@ -175,13 +170,11 @@ class Sources(ProgramCase):
                 for image in (self.folder / "again").iterdir():
                     shutil.copy(image, self.folder / "images" / f"{290 + int(image.stem)}.png")
                 name = f"m{code}.map"
-                with subprocess.Popen([SAILMAP, "run", "list.txt", "--map", name, *options], cwd=self.folder,
-                                      stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
-                    running.stdout.readline()  # image 100 or later was used
-                    for i in range(290, 300):
-                        os.remove(self.folder / f"images/{i}.png")
-                    errors = running.communicate(timeout=120)[1]
-                    self.assertEqual(running.returncode, code, errors)
+                running = self.start_program("run", "list.txt", "--map", name, *options)  # image 100 or later was used
+                for i in range(290, 300):
+                    os.remove(self.folder / f"images/{i}.png")
+                errors = running.communicate(timeout=120)[1]
+                self.assertEqual(running.returncode, code, errors)
                 self.assertIn("images/290.png", errors)
                 result = json.loads(self.run_program("map", "check", name, "--json"))
                 self.assertEqual((result["sound"], result["images"]), (True, 290))

@@ -54,6 +54,23 @@ class ProgramCase(unittest.TestCase):
         self.errors = done.stderr
         return done.stdout
 
+    def start_program(self, *arguments):
+        """Starts sailmap in the test's folder; returns the process once it has printed a line.
+
+        Its output goes through a pipe of 4 KiB: a program that has far more to print cannot end before the test reads it,
+        however fast the machine.
+        """
+        running = subprocess.Popen([SAILMAP, *map(str, arguments)], cwd=self.folder, text=True, pipesize=4096,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+        def end():
+            running.kill()
+            running.communicate()
+
+        self.addCleanup(end)
+        running.first_line = running.stdout.readline()
+        return running
+
     def fails(self, *arguments, says, code=1):
         """The command must fail with one line that says so, and leave the folder as it was."""
         before = self.contents()

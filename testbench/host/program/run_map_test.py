@@ -3,7 +3,6 @@
 import json
 import signal
 import sqlite3
-import subprocess
 import time
 import unittest
 import xml.etree.ElementTree
@@ -133,8 +132,7 @@ class Run(ProgramCase):
 
     def test_a_second_run_on_the_same_map_is_refused_while_the_first_goes_on(self):
         self.write_sequence(list(range(100)) * 3)
-        first = subprocess.Popen([SAILMAP, "run", "images", "--map", "m.json"], cwd=self.folder, stdout=subprocess.PIPE)
-        first.stdout.readline()
+        first = self.start_program("run", "images", "--map", "m.json")
         self.run_program("run", "images", "--map", "m.json", code=1)
         self.assertIn("m.json: another program is writing this map", self.errors)
         self.assertIn("nodes", self.run_program("map", "info", "m.json"))
@@ -162,10 +160,7 @@ class Run(ProgramCase):
 
     def test_interrupt_saves_the_map(self):
         self.write_sequence(list(range(100)) * 3)
-        running = subprocess.Popen(
-            [SAILMAP, "run", "images", "--map", "m.json"], cwd=self.folder, stdout=subprocess.PIPE, text=True
-        )
-        running.stdout.readline()  # the first loop closure: well under way
+        running = self.start_program("run", "images", "--map", "m.json")  # the first loop closure: well under way
         running.send_signal(signal.SIGINT)
         rest = running.communicate(timeout=60)[0]
         self.assertEqual(running.returncode, 0)
