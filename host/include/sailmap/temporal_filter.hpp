@@ -2,6 +2,7 @@
 // for either direction of travel and for changing speed (docs/recognition.md).
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct TemporalConfig {
   // To which power the forecast counts where the filter is trusted, 0 .. 1. Images that follow each other
   // resemble each other, so that they tell less than independent ones, of power 1, would.
   double power = 0.5;
+  // From which odds on, > 0, the image tells one place from the next better than the route does, whose speed
+  // is a guess: the route then favours neighbours alike. Infinity: never.
+  double telling_odds = std::numeric_limits<double>::infinity();
 };
 
 // Fed the scores of one image after the other.
@@ -54,7 +58,8 @@ class TemporalFilter {
 };
 
 // What fits a method. `context`: no scale, because its scores are calibrated, and a power of 0.3, because
-// they hold part of what the route says already. All others: their default threshold and 0.5.
+// they hold part of what the route says already; it tells neighbours apart from odds of 0.5 on. All others:
+// their default threshold and 0.5, and the route chooses among neighbours.
 TemporalConfig temporal_config(Method method, int images);
 
 // How many images the filter spans where it is on by default.

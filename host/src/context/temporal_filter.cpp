@@ -23,6 +23,12 @@ constexpr double odds_of_missed = 1.5;
 // Only where paths hardly ever break: in full up to one image in 25, not at all from one in 17.
 constexpr double few_breaks = 0.04, many_breaks = 0.06;
 
+// The choice is the image's own where it is sure, and shows another place clearly less: a route that ends or
+// breaks off looks like its continuation for an image or two.
+constexpr float sure_odds = 2, clearly = 1.3F;
+// Nor can a route lead to a place that the image all but excludes, being so much less likely than its best.
+constexpr float excluding = 1000;
+
 TemporalConfig checked(const TemporalConfig& config) {
   if (config.images < 0 || config.images > 1000) {
     throw Error("temporal filter: " + std::to_string(config.images) + " images; there may be 0 to 1000");
@@ -31,7 +37,35 @@ TemporalConfig checked(const TemporalConfig& config) {
   if (!(config.power >= 0 && config.power <= 1)) {
     throw Error("temporal filter: the power must be within 0 and 1");
   }
+  if (!(config.telling_odds > 0)) throw Error("temporal filter: the telling odds must be above 0");
   return config;
+}
+
+// Puts places that the image clearly prefers another to behind that one.
+void keep_clear_choice(const ScoreEvidence::Row& row, std::vector<float>& scores) {
+  const auto best =
+      static_cast<std::size_t>(std::max_element(row.odds.begin(), row.odds.end()) - row.odds.begin());
+  const float odds = row.odds[best];
+  if (odds <= 0) return;
+  const float margin = odds >= sure_odds ? clearly : excluding;
+  const float behind = std::nextafter(scores[best], std::numeric_limits<float>::lowest());
+  for (std::size_t c = 0; c < scores.size(); ++c) {
+    if (c != best && row.admissible[c] && row.odds[c] * margin <= odds)
+      scores[c] = std::min(scores[c], behind);
+  }
+}
+
+// Each factor as large as those of the candidates before and behind it, where these stand out too.
+void share_with_neighbours(const std::vector<float>& standing, std::vector<float>& factors) {
+  float before = 0;
+  for (std::size_t c = 0; c < standing.size(); ++c) {
+    const float own = factors[c];
+    if (standing[c] > 0) {
+      const bool behind = c + 1 < standing.size() && standing[c + 1] > 0;
+      factors[c] = std::max({before, own, behind ? factors[c + 1] : 0.0F});
+    }
+    before = standing[c] > 0 ? own : 0.0F;
+  }
 }
 
 bool same(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
@@ -63,6 +97,9 @@ TemporalFilter::Support TemporalFilter::support(const ScoreEvidence::Row& row) {
     const float followed = out.missed[c];
     out.missed[c] = believed * (followed < 0.5F ? followed / (1 - followed) : 1.0F);
   }
+  if (*std::max_element(row.odds.begin(), row.odds.end()) >= config_.telling_odds) {
+    share_with_neighbours(row.standing, out.factors);
+  }
   return out;
 }
 
@@ -84,11 +121,12 @@ std::vector<float> TemporalFilter::apply(std::span<const float> scores) {
     // What does not change keeps its full precision.
     if (!std::isnan(out[c]) && change != 0) out[c] = evidence_.score(row.odds[c] + change);
   }
+  keep_clear_choice(row, out);
   return out;
 }
 
 TemporalConfig temporal_config(Method method, int images) {
-  if (method == Method::context) return {images, std::numeric_limits<double>::infinity(), 0.3};
+  if (method == Method::context) return {images, std::numeric_limits<double>::infinity(), 0.3, 0.5};
   return {images, default_threshold(method)};
 }
 

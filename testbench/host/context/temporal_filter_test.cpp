@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "sailmap/error.hpp"
 #include "sailmap/evaluation.hpp"
@@ -179,6 +181,49 @@ TEST(TemporalFilter, TrustsSequencesOnlyWhereTheyForetell) {
   EXPECT_EQ(jumping.trust(), 0);
 }
 
+// A route along the candidates, 0.5 the true one's score, until image `odd`, whose scores the test gives.
+std::vector<float> after_a_route(int odd, const std::function<float(int)>& score) {
+  TemporalFilter filter({10, none, 0.5, 0.5});
+  std::vector<float> row(60, 0.01F);
+  for (int q = 0; q < odd; ++q) {
+    std::fill(row.begin(), row.end(), 0.01F);
+    row[static_cast<std::size_t>(q)] = 0.5F;
+    filter.apply(row);
+  }
+  for (int c = 0; c < 60; ++c) row[static_cast<std::size_t>(c)] = score(c);
+  return filter.apply(row);
+}
+
+int place_of(const std::vector<float>& scores) {
+  return static_cast<int>(std::max_element(scores.begin(), scores.end()) - scores.begin());
+}
+
+TEST(TemporalFilter, ASureImageKeepsItsChoiceAndAnUnsureOneDoesNot) {
+  const auto shows = [](float elsewhere, float ahead) {
+    return [=](int c) { return c == 5 ? elsewhere : (c == 40 ? ahead : 0.01F); };
+  };
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.72F, 0.64F))), 5);   // odds 2.6 and 1.8
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.72F, 0.70F))), 40);  // not clearly less
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.60F, 0.45F))), 40);  // below odds of 2
+}
+
+TEST(TemporalFilter, ARouteLeadsNowhereThatTheImageAllButExcludes) {
+  const auto shows = [](float ahead) {
+    return [=](int c) { return c == 5 ? 0.02F : (c >= 30 ? ahead : 1e-5F); };
+  };
+  EXPECT_GE(place_of(after_a_route(40, shows(1e-4F))), 30);
+  EXPECT_EQ(place_of(after_a_route(40, shows(1e-5F))), 5);
+}
+
+TEST(TemporalFilter, AnImageThatTellsPlacesApartChoosesAmongNeighbours) {
+  // The route goes on at 40; 39 and 41 show a little more or less than it.
+  const auto shows = [](float best) {
+    return [=](int c) { return c == 41 ? best : (c == 40 ? 0.95F * best : 0.01F); };
+  };
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.55F))), 41);
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.25F))), 40);
+}
+
 TEST(TemporalFilter, WrongConfigurationsAreRefused) {
   EXPECT_THROW(TemporalFilter({-1, none}), Error);
   EXPECT_THROW(TemporalFilter({1001, none}), Error);
@@ -187,6 +232,8 @@ TEST(TemporalFilter, WrongConfigurationsAreRefused) {
   EXPECT_THROW(TemporalFilter({10, none, -0.1}), Error);
   EXPECT_THROW(TemporalFilter({10, none, 1.1}), Error);
   EXPECT_THROW(TemporalFilter({10, none, std::nan("")}), Error);
+  EXPECT_THROW(TemporalFilter({10, none, 0.5, 0}), Error);
+  EXPECT_THROW(TemporalFilter({10, none, 0.5, std::nan("")}), Error);
 }
 
 TEST(TemporalFilter, ThePowerSaysHowMuchTheForecastCounts) {
