@@ -36,8 +36,12 @@ void sailmap_join_pairs(sailmap::hls::stream<uint32_t>& low, sailmap::hls::strea
 void sailmap_store(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint8_t>& in_flags,
                    sailmap::hls::stream<uint32_t>& statistics, sailmap::hls::stream<uint64_t>& out,
                    uint16_t width, uint16_t height);
-void sailmap_gains(sailmap::hls::stream<uint32_t>& statistics, sailmap::hls::stream<uint32_t>& statistics_out,
-                   sailmap::hls::stream<uint32_t>& gains_out);
+void sailmap_gains(sailmap::hls::stream<uint32_t>& intensity, sailmap::hls::stream<uint32_t>& colour,
+                   sailmap::hls::stream<uint32_t>& orientation,
+                   sailmap::hls::stream<uint32_t>& statistics_out,
+                   sailmap::hls::stream<uint32_t>& intensity_gains,
+                   sailmap::hls::stream<uint32_t>& colour_gains,
+                   sailmap::hls::stream<uint32_t>& orientation_gains);
 void sailmap_normalise(sailmap::hls::stream<uint32_t>& gains, sailmap::hls::stream<uint64_t>& maps,
                        sailmap::hls::stream<uint64_t>& maps_out, sailmap::hls::stream<uint32_t>& sum_out,
                        uint16_t width, uint16_t height);

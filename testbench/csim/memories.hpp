@@ -37,11 +37,10 @@ constexpr int memory_luts(int words, int bits) {
   return words <= 32 ? 4 * blocks(bits, 6) : 4 * blocks(words, 64) * blocks(bits, 3);
 }
 
+// `bits`: of words that do not use all of theirs.
 template <class Array>
-Memory memory(std::string what, int copies = 1) {
-  using Word = std::remove_extent_t<Array>;
-  return {std::move(what), copies, static_cast<int>(std::extent_v<Array>),
-          static_cast<int>(8 * sizeof(Word))};
+Memory memory(std::string what, int copies = 1, int bits = 8 * sizeof(std::remove_extent_t<Array>)) {
+  return {std::move(what), copies, static_cast<int>(std::extent_v<Array>), bits};
 }
 
 // Of the stages before the base level.
@@ -113,15 +112,13 @@ void add_stores(std::vector<Memory>& all) {
   using namespace hls;
   constexpr int buffers = Config::double_buffer ? 2 : 1;
   all.push_back(memory<decltype(MaximaRow<Config, 0>::words)>("local maxima: rows", orientation_pair + 1));
-  all.push_back(memory<decltype(StoredMaps<Config, 2, 0, 0>::words)>("store: two intensity maps", buffers));
-  all.push_back(memory<decltype(StoredMaps<Config, 4, 1, 0>::words)>("store: four colour maps", buffers));
-  all.push_back(
-      memory<decltype(StoredMaps<Config, 4, 2, 0>::words)>("store: four orientation maps", buffers));
-  all.push_back(memory<decltype(StoredMaps<Config, 3, 3, 0>::low)>("store: C_I and C_C", buffers));
-  all.push_back(memory<decltype(StoredMaps<Config, 3, 3, 0>::high)>("store: C_O", buffers));
-  all.push_back(memory<decltype(StoredFlags<Config, 2, 0, 0>::words)>("store: flags of intensity", buffers));
-  all.push_back(
-      memory<decltype(StoredFlags<Config, 4, 1, 0>::words)>("store: flags of the others", 3 * buffers));
+  all.push_back(memory<decltype(GainMemory<Config>::words)>("gains of the features"));
+  using Pair = decltype(StoredPair<Config, 0, 0, 0>::words);
+  all.push_back(memory<Pair>("store: two intensity maps", buffers, stored_pair_bits));
+  all.push_back(memory<Pair>("store: two of four colour maps", 2 * buffers, stored_pair_bits));
+  all.push_back(memory<Pair>("store: two of four orientation maps", 2 * buffers, stored_pair_bits));
+  all.push_back(memory<Pair>("store: C_I and C_C, all flags", buffers, stored_pair_bits + 1));
+  all.push_back(memory<decltype(StoredMap<Config, 3, 0>::words)>("store: C_O", buffers));
 }
 
 template <class Config>

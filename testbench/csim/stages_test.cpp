@@ -323,6 +323,13 @@ TEST_F(Stages, StatisticsAndNormalisation) {
       std::vector<std::uint32_t> replayed;
       std::vector<std::uint32_t> statistics;
       std::vector<std::uint32_t> sum;
+      // Maximum and m of the maps of the other kinds, of which this is not about, and their gains.
+      const std::vector<std::uint32_t> others = {1, 1, 2, 1, 3, 4, 0, 0};
+      const std::vector<std::uint32_t> want_other_gains = {0xffff, 0, 0xffff, 1, 0xaaaa, 2, 0, 0};
+      std::vector<std::uint32_t> other_gains;
+      std::vector<std::uint32_t> other_gains_2;
+      want_statistics.insert(want_statistics.end(), others.begin(), others.end());
+      want_statistics.insert(want_statistics.end(), others.begin(), others.end());
       auto& checked = run.between<std::uint32_t>();
       auto& flags = run.between<std::uint8_t>();
       auto& raw_statistics = run.between<std::uint32_t>();
@@ -334,12 +341,14 @@ TEST_F(Stages, StatisticsAndNormalisation) {
                     full(h));
       SAILMAP_STAGE((hls::store<Config, 2, hls::intensity_kind, 0>), checked, flags, raw_statistics, stored,
                     full(w), full(h));
-      SAILMAP_STAGE((hls::gains<Config, 2, hls::intensity_kind>), raw_statistics, run.take(4, statistics),
-                    gains);
+      SAILMAP_STAGE((hls::gains_of_features<Config>), raw_statistics, run.feed(others), run.feed(others),
+                    run.take(20, statistics), gains, run.take(8, other_gains), run.take(8, other_gains_2));
       SAILMAP_STAGE((hls::normalise<Config, 2, hls::intensity_kind>), gains, stored,
                     run.take(pixels, replayed), run.take(pixels, sum), full(w), full(h));
       run.run();
       EXPECT_EQ(statistics, want_statistics);
+      EXPECT_EQ(other_gains, want_other_gains);
+      EXPECT_EQ(other_gains_2, want_other_gains);
       EXPECT_EQ(replayed, (lanes<std::uint32_t, point::intensity_feature, 2>({&maps[0], &maps[1]})));
       for (std::size_t i = 0; i < pixels; ++i) {
         ASSERT_EQ(sum[i], raw<point::intensity_conspicuity_sum>(want.samples()[i])) << i;

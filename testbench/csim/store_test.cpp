@@ -18,8 +18,7 @@ namespace {
 
 using Config = hls::Config<256, 256, 1>;
 
-// Level-0 sizes. The last word of flags has room for sixteen pixels of two maps, eight of more, of which
-// these use all, all, 1, 2, 9 (1) and 15 (7).
+// Level-0 sizes, smaller ones behind larger ones.
 constexpr std::pair<int, int> frames[] = {{64, 64}, {256, 256}, {66, 68}, {72, 68}, {100, 66}, {92, 100}};
 
 template <int Count, int Kind>

@@ -224,9 +224,20 @@ std::vector<std::uint32_t> gain_words(const Stages& stages) {
 }
 
 void gains(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
-  call.words("statistics", statistics_words(stages));
-  call.words("statistics_out", statistics_words(stages));
-  call.words("gains_out", gain_words(stages));
+  // The colours stand for all kinds: two of them for intensity.
+  const std::vector<std::uint32_t> four_maps = statistics_words(stages);
+  const std::vector<std::uint32_t> two_maps(four_maps.begin(), four_maps.begin() + 4);
+  const std::vector<std::uint32_t> four_gains = gain_words(stages);
+  std::vector<std::uint32_t> all = two_maps;
+  all.insert(all.end(), four_maps.begin(), four_maps.end());
+  all.insert(all.end(), four_maps.begin(), four_maps.end());
+  call.words("intensity", two_maps);
+  call.words("colour", four_maps);
+  call.words("orientation", four_maps);
+  call.words("statistics_out", all);
+  call.words("intensity_gains", std::vector<std::uint32_t>(four_gains.begin(), four_gains.begin() + 4));
+  call.words("colour_gains", four_gains);
+  call.words("orientation_gains", four_gains);
 }
 
 void normalise(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {

@@ -20,8 +20,8 @@
 
 #include "sailmap/hls/geometry.hpp"
 #include "sailmap/hls/lanes.hpp"
+#include "sailmap/hls/normalise.hpp"
 #include "sailmap/hls/pragmas.hpp"
-#include "sailmap/hls/saliency.hpp"
 #include "sailmap/hls/stream.hpp"
 
 namespace sailmap {

@@ -78,6 +78,15 @@ SAILMAP_INLINED MaximaPixels compared(const MaximaPixels& p, const MaximaEdges& 
   return out;
 }
 
+// C_O is alone: of a second map there is nothing to compare or to keep.
+template <int Pair>
+SAILMAP_INLINED MaximaPixels second_of_pair(const MaximaPixels& p) {
+  constexpr uint32_t all = Pair == orientation_pair ? 0 : ~uint32_t{0};
+  const MaximaPixels out = {p.newest & all, p.left & all, p.above_left & all, p.above & all,
+                            p.above_right & all};
+  return out;
+}
+
 // The pair in the words of the stores.
 template <int Pair>
 inline uint32_t stored_pair(uint64_t words) {
@@ -130,7 +139,8 @@ void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& 
     const MaximaEdges at = {x == 0, x + 1 == w, i < w};
     const uint64_t above_right = narrow_pair<maxima_word_bits>(row[at.last_column ? 0 : x + 1]);
     const MaximaPixels a = compared(maxima_lane<0>(newest, left, above_left, above, above_right), at);
-    const MaximaPixels b = compared(maxima_lane<1>(newest, left, above_left, above, above_right), at);
+    const MaximaPixels b =
+        second_of_pair<Pair>(compared(maxima_lane<1>(newest, left, above_left, above, above_right), at));
     row[at.first_column ? w - 1 : x - 1] = wide_pair(a.left, b.left);
     done = wide_pair(a.above_left, b.above_left);
     above_left = wide_pair(a.above, b.above);

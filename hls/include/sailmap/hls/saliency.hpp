@@ -1,4 +1,4 @@
-// Plumbing around the conspicuity maps (spec 7): the three kinds as pairs, and one stream of statistics.
+// Plumbing around the conspicuity maps (spec 7): the three kinds as pairs.
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"
@@ -26,23 +26,6 @@ void pair_conspicuities(stream<uint32_t>& intensity, stream<uint32_t>& colour, s
     intensity_colour.write(wide_pair(i_word, c_word));
     orientation_alone.write(wide_pair(o_word, 0));
   }
-}
-
-// Maximum and m of each map: the ten feature maps in the order of section 6, then C_I, C_C and C_O. 26 words
-// a frame.
-constexpr int statistics_words = 2 * (geometry::feature_maps + geometry::conspicuity_maps);
-
-template <class Config>
-void collect_statistics(stream<uint32_t>& intensity, stream<uint32_t>& colour, stream<uint32_t>& orientation,
-                        stream<uint32_t>& conspicuity, stream<uint32_t>& out) {
-#pragma nounroll
-  for (int i = 0; i < 2 * geometry::intensity_maps; ++i) out.write(intensity.read());
-#pragma nounroll
-  for (int i = 0; i < 2 * geometry::colour_maps; ++i) out.write(colour.read());
-#pragma nounroll
-  for (int i = 0; i < 2 * geometry::orientation_maps; ++i) out.write(orientation.read());
-#pragma nounroll
-  for (int i = 0; i < 2 * geometry::conspicuity_maps; ++i) out.write(conspicuity.read());
 }
 
 }  // namespace hls

@@ -17,58 +17,81 @@
 namespace sailmap {
 namespace hls {
 
-// The flags of several pixels share a word, so that they fill block memories. `put` gathers them, the newest
-// pixel in the low bits; the pass that counts goes backwards and finds them low, however many pixels the last
-// word has.
-template <class Config, int Count, int Kind, int Bank>
-struct StoredFlags {
-  static constexpr int bits = Count == 2 ? 2 : 4;
-  static constexpr int in_word = 32 / bits;
-  static constexpr int size = (Config::level_pixels(geometry::base_level) + in_word - 1) / in_word;
-  static uint32_t words[size];
+// Block memories are 36 bits wide where they have 1024 words: room for two maps and their flags, which are
+// above the maps. So four maps are in two words, three in a word of two, with all flags, and one of one. What
+// of a native word is always 0 no tool makes memory for.
+constexpr int stored_pair_bits = 2 * lane_bits + 2;
 
-  // Pixel i, after pixel i - 1; returns the flags so far, to be given back with the next pixel.
-  static uint32_t put(unsigned i, uint32_t so_far, uint8_t flags) {
-    const uint32_t gathered = so_far << bits | flags;
-    words[i / in_word] = gathered;
-    return gathered;
-  }
-  // Pixel i in the low bits, after pixel i + 1, with which `so_far` was returned; the last pixel starts.
-  static uint32_t get(unsigned i, bool is_last, uint32_t so_far) {
-    const uint32_t word = words[i / in_word];
-    return is_last || i % in_word == in_word - 1 ? word : so_far >> bits;
-  }
+template <class Config, int Kind, int Bank, int Pair>
+struct StoredPair {
+  static uint64_t words[Config::level_pixels(geometry::base_level)];
 };
-template <class Config, int Count, int Kind, int Bank>
-SAILMAP_MEMORY uint32_t StoredFlags<Config, Count, Kind, Bank>::words[size];
+template <class Config, int Kind, int Bank, int Pair>
+SAILMAP_MEMORY uint64_t
+    StoredPair<Config, Kind, Bank, Pair>::words[Config::level_pixels(geometry::base_level)];
 
-// The maps: two or four lanes a word, three in a word of two and one of one.
-template <class Config, int Count, int Kind, int Bank>
-struct StoredMaps {
-  static lanes_t<Count> words[Config::level_pixels(geometry::base_level)];
-
-  static void put(unsigned i, lanes_t<Count> word) { words[i] = word; }
-  static lanes_t<Count> get(unsigned i) { return words[i]; }
+template <class Config, int Kind, int Bank>
+struct StoredMap {
+  static uint16_t words[Config::level_pixels(geometry::base_level)];
 };
+template <class Config, int Kind, int Bank>
+SAILMAP_MEMORY uint16_t StoredMap<Config, Kind, Bank>::words[Config::level_pixels(geometry::base_level)];
+
+inline uint64_t with_flags(uint32_t maps, uint8_t flags) {
+  return static_cast<uint64_t>(flags) << (2 * lane_bits) | maps;
+}
+inline uint8_t flags_of(uint64_t stored) { return static_cast<uint8_t>(stored >> (2 * lane_bits) & 7U); }
+
+// The words of a pixel, low and high, and what is in them. The memories are read once a pixel.
 template <class Config, int Count, int Kind, int Bank>
-SAILMAP_MEMORY lanes_t<Count>
-    StoredMaps<Config, Count, Kind, Bank>::words[Config::level_pixels(geometry::base_level)];
+struct StoredMaps;
+
+template <class Config, int Kind, int Bank>
+struct StoredMaps<Config, 2, Kind, Bank> {
+  using Low = StoredPair<Config, Kind, Bank, 0>;
+
+  static void put(unsigned i, uint32_t maps, uint8_t flags) { Low::words[i] = with_flags(maps, flags & 3U); }
+  static uint64_t low(unsigned i) { return Low::words[i]; }
+  static uint64_t high(unsigned /*i*/) { return 0; }
+  static uint32_t maps(uint64_t low, uint64_t /*high*/) { return static_cast<uint32_t>(low); }
+  static uint8_t flags(uint64_t low, uint64_t /*high*/) { return flags_of(low); }
+};
 
 template <class Config, int Kind, int Bank>
 struct StoredMaps<Config, 3, Kind, Bank> {
-  static uint32_t low[Config::level_pixels(geometry::base_level)];
-  static uint16_t high[Config::level_pixels(geometry::base_level)];
+  using Low = StoredPair<Config, Kind, Bank, 0>;
+  using High = StoredMap<Config, Kind, Bank>;
 
-  static void put(unsigned i, lanes_t<3> word) {
-    low[i] = static_cast<uint32_t>(word);
-    high[i] = lane<2>(word);
+  static void put(unsigned i, uint64_t maps, uint8_t flags) {
+    Low::words[i] = with_flags(static_cast<uint32_t>(maps), flags & 7U);
+    High::words[i] = lane<2>(maps);
   }
-  static lanes_t<3> get(unsigned i) { return static_cast<lanes_t<3> >(high[i]) << 32 | low[i]; }
+  static uint64_t low(unsigned i) { return Low::words[i]; }
+  static uint64_t high(unsigned i) { return High::words[i]; }
+  static uint64_t maps(uint64_t low, uint64_t high) {
+    return wide_pair(static_cast<uint32_t>(low), lane<0>(high));
+  }
+  static uint8_t flags(uint64_t low, uint64_t /*high*/) { return flags_of(low); }
 };
+
 template <class Config, int Kind, int Bank>
-SAILMAP_MEMORY uint32_t StoredMaps<Config, 3, Kind, Bank>::low[Config::level_pixels(geometry::base_level)];
-template <class Config, int Kind, int Bank>
-SAILMAP_MEMORY uint16_t StoredMaps<Config, 3, Kind, Bank>::high[Config::level_pixels(geometry::base_level)];
+struct StoredMaps<Config, 4, Kind, Bank> {
+  using Low = StoredPair<Config, Kind, Bank, 0>;
+  using High = StoredPair<Config, Kind, Bank, 1>;
+
+  static void put(unsigned i, uint64_t maps, uint8_t flags) {
+    Low::words[i] = with_flags(static_cast<uint32_t>(maps), flags & 3U);
+    High::words[i] = with_flags(static_cast<uint32_t>(maps >> 32), static_cast<uint8_t>(flags >> 2 & 3U));
+  }
+  static uint64_t low(unsigned i) { return Low::words[i]; }
+  static uint64_t high(unsigned i) { return High::words[i]; }
+  static uint64_t maps(uint64_t low, uint64_t high) {
+    return wide_pair(static_cast<uint32_t>(low), static_cast<uint32_t>(high));
+  }
+  static uint8_t flags(uint64_t low, uint64_t high) {
+    return static_cast<uint8_t>(flags_of(low) | flags_of(high) << 2);
+  }
+};
 
 // Maximum and m of each lane.
 template <int Count>
@@ -114,32 +137,29 @@ template <class Config, int Count, int Kind, int Bank>
 void store(stream<lanes_t<Count> >& in, stream<uint8_t>& in_flags, stream<uint32_t>& statistics,
            stream<lanes_t<Count> >& out, uint16_t width, uint16_t height) {
   using Maps = StoredMaps<Config, Count, Kind, Bank>;
-  using Flags = StoredFlags<Config, Count, Kind, Bank>;
   const auto pixels = static_cast<unsigned>(Config::columns(width, geometry::base_level) *
                                             Config::rows(height, geometry::base_level));
   LaneStatistics<Count> lanes = LaneStatistics<Count>();
   lanes.clear();
-  uint32_t flags = 0;
 #pragma nounroll
   for (unsigned i = 0; i < pixels; ++i) {
     SAILMAP_PIPELINE
     const lanes_t<Count> word = in.read();
-    Maps::put(i, word);
-    flags = Flags::put(i, flags, in_flags.read());
+    Maps::put(i, word, in_flags.read());
     lanes.take(word);
   }
 #pragma nounroll
-  for (unsigned left = pixels; left > 0; --left) {
+  for (unsigned i = 0; i < pixels; ++i) {
     SAILMAP_PIPELINE
-    const unsigned i = left - 1;
-    flags = Flags::get(i, left == pixels, flags);
-    lanes.count(Maps::get(i), static_cast<uint8_t>(flags));
+    const uint64_t low = Maps::low(i);
+    const uint64_t high = Maps::high(i);
+    lanes.count(Maps::maps(low, high), Maps::flags(low, high));
   }
   lanes.write(statistics);
 #pragma nounroll
   for (unsigned i = 0; i < pixels; ++i) {
     SAILMAP_PIPELINE
-    out.write(Maps::get(i));
+    out.write(Maps::maps(Maps::low(i), Maps::high(i)));
   }
 }
 
