@@ -22,7 +22,7 @@ FIFO = """module dataflow_fifo(clock, reset, write, read, din, empty_n, full_n, 
   output full_n;
   output [BITSIZE_dout-1:0] dout;
   reg [QUEUESIZE_LOG-1:0] read_idx, write_idx;
-  reg [BITSIZE_din-1:0] words [0:((1<<QUEUESIZE_LOG)-1)];
+  (* ram_style = "distributed" *) reg [BITSIZE_din-1:0] words [0:((1<<QUEUESIZE_LOG)-1)];
   wire [QUEUESIZE_LOG-1:0] after_write = write_idx + 1'b1;
 
   assign full_n = after_write != read_idx;
