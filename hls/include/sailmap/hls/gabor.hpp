@@ -129,7 +129,7 @@ inline GaborTaps gabor_taps(uint16_t read, bool is_read, int x, int to) {
 template <int Level>
 SAILMAP_INLINED GaborColumn gabor_column_of(const GaborTaps& taps) {
   using A = GaborFilter<Level, 0>;
-  using B = GaborFilter<Level, 1>;
+  using B = GaborFilter<Level, Level == geometry::base_level ? 1 : 0>;
   NineTaps p = {0, 0, 0, 0, 0, 0, 0, 0, 0};
   p.a = lane<3>(taps.far_above);
   p.b = lane<2>(taps.far_above);
@@ -175,7 +175,7 @@ struct GaborEnergies {
 template <int Level>
 SAILMAP_INLINED GaborEnergies gabor_energies(const GaborWindow& w) {
   using A = GaborFilter<Level, 0>;
-  using B = GaborFilter<Level, 1>;
+  using B = GaborFilter<Level, Level == geometry::base_level ? 1 : 0>;
   const int32_t cc = A::symmetric(gabor::C, w.cosine);
   const int32_t ss = B::antisymmetric(gabor::S, w.sine);
   const int32_t gg = A::symmetric(gabor::G, w.gauss);

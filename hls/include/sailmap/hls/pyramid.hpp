@@ -105,5 +105,11 @@ inline uint16_t add_to_column(int x, const FiveTaps& p, uint32_t kind) {
   return sample_of(after);
 }
 
+// The sample of the last row, which the sums hold complete after the frame.
+template <class Stage, int Channel, int Lane>
+inline uint16_t last_of_column(int x) {
+  return reduced<Stage::fine, Channel>(open_sum(ColumnSums<Stage, Channel, Lane>::sums[x]));
+}
+
 }  // namespace hls
 }  // namespace sailmap

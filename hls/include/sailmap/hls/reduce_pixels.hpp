@@ -62,6 +62,15 @@ inline PyramidPixel add_window(int x, const PixelWindow& p, uint32_t kind) {
   return out;
 }
 
+template <class Stage>
+inline PyramidPixel last_of_columns(int x) {
+  PyramidPixel out = {0, 0};
+  out.intensity = last_of_column<Stage, 0, 0>(x);
+  out.colours = pack(last_of_column<Stage, 1, 0>(x), last_of_column<Stage, 2, 0>(x),
+                     last_of_column<Stage, 3, 0>(x), last_of_column<Stage, 4, 0>(x));
+  return out;
+}
+
 template <class Config, int Fine>
 void reduce_pixels(stream<uint16_t>& intensity, stream<uint64_t>& colours, stream<uint16_t>& intensity_out,
                    stream<uint64_t>& colours_out, uint16_t width, uint16_t height) {
@@ -70,27 +79,23 @@ void reduce_pixels(stream<uint16_t>& intensity, stream<uint64_t>& colours, strea
   const int h = Config::rows(height, Fine);
   const int columns = geometry::half(w);
 #pragma nounroll
-  for (int y = 0; y <= h; ++y) {
+  for (int y = 0; y < h; ++y) {
     const uint32_t kind = row_kind::of(y, h);
-    // A bound rather than a condition that the whole row shares, of which a compiler makes two loops.
-    const int end_of_reading = y < h ? w : 0;
     PixelWindow p = PixelWindow();
-    if (y < h) {
-      p.c.intensity = intensity.read();
-      p.c.colours = colours.read();
-    }
+    p.c.intensity = intensity.read();
+    p.c.colours = colours.read();
     p.a = p.c;
     p.b = p.c;
 #pragma nounroll
     for (int x = 0; x < columns; ++x) {
       SAILMAP_PIPELINE_II(2)
       p.d = p.c;
-      if (2 * x + 1 < end_of_reading) {
+      if (2 * x + 1 < w) {
         p.d.intensity = intensity.read();
         p.d.colours = colours.read();
       }
       p.e = p.d;
-      if (2 * x + 2 < end_of_reading) {
+      if (2 * x + 2 < w) {
         p.e.intensity = intensity.read();
         p.e.colours = colours.read();
       }
@@ -103,6 +108,13 @@ void reduce_pixels(stream<uint16_t>& intensity, stream<uint64_t>& colours, strea
       p.b = p.d;
       p.c = p.e;
     }
+  }
+#pragma nounroll
+  for (int x = 0; x < columns; ++x) {
+    SAILMAP_PIPELINE
+    const PyramidPixel out = last_of_columns<Stage>(x);
+    intensity_out.write(out.intensity);
+    colours_out.write(out.colours);
   }
 }
 
