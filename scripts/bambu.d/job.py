@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "vitis"))
+import fifos  # noqa: E402
 from tables import ROOT, Fault  # noqa: E402
 
 # The part of the Zynq-7020 boards; with VVD Bambu has its delays as Vivado reports them.
@@ -16,9 +17,10 @@ DEVICE = "xc7z020-1clg484-VVD"
 PERIOD = 10  # ns
 # Functions that take turns (SAILMAP_SHARED), by their mangled names: each begins anew every cycle. In a header Bambu finds no
 # pragma that says so; names that a top does not have it passes over.
-SHARED = [f"_ZN7sailmap3hls{name}" for level in (3, 4) for name in (
+SHARED = [f"_ZN7sailmap3hls{name}" for level in (2, 3, 4) for name in (
     f"15shared_contrastILi{level}EEEjtjjj", f"12gabor_filterILi{level}ELi0EEEijsssssiiiiiiiii",
     f"12gabor_filterILi{level}ELi1EEEijsssssiiiiiiiii")]
+SHARED += [f"_ZN7sailmap3hls13shared_columnILi{level}ELi{channel}EEEyytttttj" for level in range(4) for channel in (0, 1)]
 
 
 def checked(command, log, folder, seconds):
@@ -61,7 +63,7 @@ class Job:
 
     def digest(self):
         """Of all that the Verilog depends on."""
-        hashed = hashlib.sha256(repr(self.options).encode())
+        hashed = hashlib.sha256(repr(self.options).encode() + Path(fifos.__file__).read_bytes())
         for file in sorted((ROOT / "hls").glob("**/*.[hi]*")) + [self.top.source]:
             hashed.update(file.read_bytes())
         return hashed.hexdigest()
@@ -76,6 +78,12 @@ class Job:
         checked(["bambu", self.top.source, *self.options, "-v2"], self.folder / "bambu.log", self.folder, seconds)
         if not self.verilog.exists():
             raise Fault(f"bambu: no Verilog, see {self.folder / 'bambu.log'}")
+        if self.is_network:
+            try:
+                changed = fifos.changed(self.verilog.read_text(encoding="utf-8"), (self.width + 3) // 4)
+            except ValueError as error:
+                raise Fault(f"bambu: {error}") from None
+            self.verilog.write_text(changed, encoding="utf-8")
         stamp.write_text(self.digest(), encoding="utf-8")
 
     def module(self):

@@ -20,14 +20,23 @@ class Modules:
         self.uses = {name: {word for word in INSTANCE.findall(text) if word in self.text and word != name}
                      for name, text in self.text.items()}
 
-    def below(self, top, without=()):
-        """The text of a module and of all below it; of those in `without` only the ports."""
+    def names_below(self, top, without=()):
+        """A module and all below it, but not what is below those in `without`."""
         found, left = set(), [top]
         while left:
             name = left.pop()
             if name not in found:
                 found.add(name)
                 left += [] if name in without else self.uses[name]
+        return found
+
+    def stages_named(self, pattern):
+        """The modules whose whole name is such."""
+        return [name for name in self.text if pattern.fullmatch(name)]
+
+    def below(self, top, without=()):
+        """The text of a module and of all below it; of those in `without` only the ports."""
+        found = self.names_below(top, without)
         return "\n".join(ports_alone(text) if name in without else text for name, text in self.text.items()
                          if name in found)
 

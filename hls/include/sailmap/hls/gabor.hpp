@@ -31,24 +31,11 @@ struct NineTaps {
   int32_t a, b, c, d, e, f, g, h, i;
 };
 
-// Filters that read the same forwards and backwards, or change sign: half the multiplications. On the base
-// level, whose rows Bambu has to work through before the next ones can come, the filters stand side by side.
-template <int Level, int Half, bool IsBase = Level == geometry::base_level>
-struct GaborFilter {
-  static int32_t symmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
-    return taps[0] * (p.a + p.i) + taps[1] * (p.b + p.h) + taps[2] * (p.c + p.g) + taps[3] * (p.d + p.f) +
-           taps[4] * p.e;
-  }
-  static int32_t antisymmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
-    return taps[0] * (p.a - p.i) + taps[1] * (p.b - p.h) + taps[2] * (p.c - p.g) + taps[3] * (p.d - p.f);
-  }
-};
-
 // A pixel or a column sum, for which 17 bits are enough.
 inline int32_t few_bits(int32_t value) { return narrow_signed<17>(value); }
 
-// A coarser level has a quarter of its pixels or less, in half of its rows or less: two filters, which work
-// through half of them each, in Bambu one a cycle (SAILMAP_SHARED).
+// Filters that read the same forwards and backwards, or change sign: half the multiplications. Two filters
+// work through half of them each, in Bambu one a cycle (SAILMAP_SHARED).
 template <int Level, int Half>
 SAILMAP_SHARED int32_t gabor_filter(uint32_t kind, int16_t t0, int16_t t1, int16_t t2, int16_t t3, int16_t t4,
                                     int32_t a, int32_t b, int32_t c, int32_t d, int32_t e, int32_t f,
@@ -63,7 +50,7 @@ SAILMAP_SHARED int32_t gabor_filter(uint32_t kind, int16_t t0, int16_t t1, int16
 }
 
 template <int Level, int Half>
-struct GaborFilter<Level, Half, false> {
+struct GaborFilter {
   static int32_t symmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
     return gabor_filter<Level, Half>(tagged<2 * Level + Half>(0), static_cast<int16_t>(taps[0]),
                                      static_cast<int16_t>(taps[1]), static_cast<int16_t>(taps[2]),
@@ -142,7 +129,7 @@ inline GaborTaps gabor_taps(uint16_t read, bool is_read, int x, int to) {
 template <int Level>
 SAILMAP_INLINED GaborColumn gabor_column_of(const GaborTaps& taps) {
   using A = GaborFilter<Level, 0>;
-  using B = GaborFilter<Level, 1>;
+  using B = GaborFilter<Level, Level == geometry::base_level ? 1 : 0>;
   NineTaps p = {0, 0, 0, 0, 0, 0, 0, 0, 0};
   p.a = lane<3>(taps.far_above);
   p.b = lane<2>(taps.far_above);
@@ -188,7 +175,7 @@ struct GaborEnergies {
 template <int Level>
 SAILMAP_INLINED GaborEnergies gabor_energies(const GaborWindow& w) {
   using A = GaborFilter<Level, 0>;
-  using B = GaborFilter<Level, 1>;
+  using B = GaborFilter<Level, Level == geometry::base_level ? 1 : 0>;
   const int32_t cc = A::symmetric(gabor::C, w.cosine);
   const int32_t ss = B::antisymmetric(gabor::S, w.sine);
   const int32_t gg = A::symmetric(gabor::G, w.gauss);

@@ -24,17 +24,6 @@ struct ReduceLanes {
   static constexpr int columns = Config::level_width(Fine) / Count;
 };
 
-// Horizontal sums of a beat; a and b are the two pixels before it, `after` the one behind.
-template <class T>
-inline void row_sums(T a, T b, const Lanes<2, T>& p, T after, Lanes<1, uint32_t>& out) {
-  out.first = binomial(a, b, p.first, p.rest.first, after);
-}
-template <int Count, class T>
-inline void row_sums(T a, T b, const Lanes<Count, T>& p, T after, Lanes<Count / 2, uint32_t>& out) {
-  out.first = binomial(a, b, p.first, p.rest.first, p.rest.rest.first);
-  row_sums(p.first, p.rest.first, p.rest.rest, after, out.rest);
-}
-
 template <class T>
 inline T last_lane(const Lanes<1, T>& p) {
   return p.first;
@@ -52,24 +41,19 @@ inline T last_but_one_lane(const Lanes<Count, T>& p) {
   return last_but_one_lane(p.rest);
 }
 
+// Adds the pixels of a beat; a and b are the two before it, `after` the one behind.
 template <class Stage, int Channel>
-inline void add_lanes(int x, const Lanes<1, uint32_t>& row, RowKind kind, Lanes<1, uint16_t>& out) {
-  out.first = add_to_column<Stage, Channel, 1>(x, row.first, kind);
+inline void add_lanes(int x, uint16_t a, uint16_t b, const Lanes<2, uint16_t>& p, uint16_t after,
+                      uint32_t kind, Lanes<1, uint16_t>& out) {
+  const FiveTaps taps = {a, b, p.first, p.rest.first, after};
+  out.first = add_to_column<Stage, Channel, 1>(x, taps, kind);
 }
 template <class Stage, int Channel, int Count>
-inline void add_lanes(int x, const Lanes<Count, uint32_t>& row, RowKind kind, Lanes<Count, uint16_t>& out) {
-  out.first = add_to_column<Stage, Channel, Count>(x, row.first, kind);
-  add_lanes<Stage, Channel>(x, row.rest, kind, out.rest);
-}
-
-template <class Stage, int Channel>
-inline void last_of_lanes(int x, Lanes<1, uint16_t>& out) {
-  out.first = last_of_column<Stage, Channel, 1>(x);
-}
-template <class Stage, int Channel, int Count>
-inline void last_of_lanes(int x, Lanes<Count, uint16_t>& out) {
-  out.first = last_of_column<Stage, Channel, Count>(x);
-  last_of_lanes<Stage, Channel>(x, out.rest);
+inline void add_lanes(int x, uint16_t a, uint16_t b, const Lanes<Count, uint16_t>& p, uint16_t after,
+                      uint32_t kind, Lanes<Count / 2, uint16_t>& out) {
+  const FiveTaps taps = {a, b, p.first, p.rest.first, p.rest.rest.first};
+  out.first = add_to_column<Stage, Channel, Count / 2>(x, taps, kind);
+  add_lanes<Stage, Channel>(x, p.first, p.rest.first, p.rest.rest, after, kind, out.rest);
 }
 
 // What a channel remembers along a row: the beat worked on, the one behind it and the two pixels before it.
@@ -89,22 +73,14 @@ struct BeatWindow {
 
 // Adds the beat at column word x; `last` says that it ends a row. Returns the samples of the next level.
 template <class Stage, int Channel, int Count>
-inline lanes_t<Count / 2> add_beat(int x, const BeatWindow<Count>& window, bool last, RowKind kind) {
-  Lanes<Count / 2, uint32_t> row = Lanes<Count / 2, uint32_t>();
-  row_sums(window.a, window.b, window.now, last ? last_lane(window.now) : window.next.first, row);
+inline lanes_t<Count / 2> add_beat(int x, const BeatWindow<Count>& window, bool last, uint32_t kind) {
+  const uint16_t after = last ? last_lane(window.now) : window.next.first;
   Lanes<Count / 2, uint16_t> out = Lanes<Count / 2, uint16_t>();
-  add_lanes<Stage, Channel>(x, row, kind, out);
+  add_lanes<Stage, Channel>(x, window.a, window.b, window.now, after, kind, out);
   return packed<lanes_t<Count / 2> >(out);
 }
 
-template <class Stage, int Channel, int Count>
-inline lanes_t<Count / 2> last_beat(int x) {
-  Lanes<Count / 2, uint16_t> out = Lanes<Count / 2, uint16_t>();
-  last_of_lanes<Stage, Channel>(x, out);
-  return packed<lanes_t<Count / 2> >(out);
-}
-
-// Where the flat loop over a frame is.
+// Where the flat loop over a frame is, and over the row behind it.
 struct BeatPosition {
   int x;
   int y;
@@ -112,6 +88,9 @@ struct BeatPosition {
     const bool end = x + 1 == beats;
     y = end ? y + 1 : y;
     x = end ? 0 : x + 1;
+  }
+  bool reads_next(int beats, int height) const {
+    return y + 1 < height || (y + 1 == height && x + 1 < beats);
   }
 };
 
@@ -121,24 +100,16 @@ void reduce_lanes(stream<lanes_t<Count> >& in, stream<lanes_t<Count / 2> >& out,
   using Stage = ReduceLanes<Config, Fine, Count>;
   const int h = Config::rows(height, Fine);
   const int beats = Config::columns(width, Fine) / Count;
-  const int words = beats * h;
   BeatWindow<Count> window = BeatWindow<Count>();
   unpack(in.read(), window.next);
-  BeatPosition at = {0, 0};
 #pragma nounroll
-  for (int i = 1; i <= words; ++i) {
+  for (BeatPosition at = {0, 0}; at.y <= h; at.advance(beats)) {
     SAILMAP_PIPELINE
     window.advance(at.x == 0);
-    if (i < words) unpack(in.read(), window.next);
-    const RowKind kind = row_kind(at.y, h);
+    if (at.reads_next(beats, h)) unpack(in.read(), window.next);
+    const uint32_t kind = row_kind::of(at.y, h);
     const lanes_t<Count / 2> word = add_beat<Stage, Channel>(at.x, window, at.x + 1 == beats, kind);
-    if (kind.emits()) out.write(word);
-    at.advance(beats);
-  }
-#pragma nounroll
-  for (int x = 0; x < beats; ++x) {
-    SAILMAP_PIPELINE
-    out.write(last_beat<Stage, Channel, Count>(x));
+    if (row_kind::emits(kind)) out.write(word);
   }
 }
 
@@ -154,24 +125,16 @@ void reduce_halves(stream<uint64_t>& left, stream<uint64_t>& right, stream<uint6
   using Stage = ReduceLanes<Config, Fine, 8>;
   const int h = Config::rows(height, Fine);
   const int beats = Config::columns(width, Fine) / 8;
-  const int words = beats * h;
   BeatWindow<8> window = BeatWindow<8>();
   unpack_halves(left.read(), right.read(), window.next);
-  BeatPosition at = {0, 0};
 #pragma nounroll
-  for (int i = 1; i <= words; ++i) {
+  for (BeatPosition at = {0, 0}; at.y <= h; at.advance(beats)) {
     SAILMAP_PIPELINE
     window.advance(at.x == 0);
-    if (i < words) unpack_halves(left.read(), right.read(), window.next);
-    const RowKind kind = row_kind(at.y, h);
+    if (at.reads_next(beats, h)) unpack_halves(left.read(), right.read(), window.next);
+    const uint32_t kind = row_kind::of(at.y, h);
     const lanes_t<4> word = add_beat<Stage, Channel>(at.x, window, at.x + 1 == beats, kind);
-    if (kind.emits()) out.write(word);
-    at.advance(beats);
-  }
-#pragma nounroll
-  for (int x = 0; x < beats; ++x) {
-    SAILMAP_PIPELINE
-    out.write(last_beat<Stage, Channel, 8>(x));
+    if (row_kind::emits(kind)) out.write(word);
   }
 }
 

@@ -32,20 +32,33 @@ struct PixelWindow {
 };
 
 template <int Index>
-inline uint32_t colour_row_sum(const PixelWindow& p) {
-  return binomial(lane<Index>(p.a.colours), lane<Index>(p.b.colours), lane<Index>(p.c.colours),
-                  lane<Index>(p.d.colours), lane<Index>(p.e.colours));
+inline FiveTaps colour_taps(const PixelWindow& p) {
+  const FiveTaps taps = {lane<Index>(p.a.colours), lane<Index>(p.b.colours), lane<Index>(p.c.colours),
+                         lane<Index>(p.d.colours), lane<Index>(p.e.colours)};
+  return taps;
+}
+
+// Adds a row's five pixels around column x to one channel, in turn (SAILMAP_SHARED); returns the sample that
+// they complete. One function for all channels, but that level 0 rounds intensity another way.
+template <class Stage, int Channel>
+inline uint16_t add_in_turn(int x, const FiveTaps& p, uint32_t kind) {
+  constexpr int fine = Stage::fine;
+  constexpr int function = fine == 0 && Channel == 0 ? 0 : 1;
+  uint64_t* const sums = ColumnSums<Stage, Channel, 0>::sums;
+  const uint64_t after =
+      shared_column<fine, function>(sums[x], p.a, p.b, p.c, p.d, p.e, tagged<2 * fine + function>(kind));
+  sums[x] = sums_of(after);
+  return sample_of(after);
 }
 
 template <class Stage>
-inline PyramidPixel add_window(int x, const PixelWindow& p, RowKind kind) {
+inline PyramidPixel add_window(int x, const PixelWindow& p, uint32_t kind) {
+  const FiveTaps taps = {p.a.intensity, p.b.intensity, p.c.intensity, p.d.intensity, p.e.intensity};
   PyramidPixel out = {0, 0};
-  out.intensity = add_to_column<Stage, 0, 0>(
-      x, binomial(p.a.intensity, p.b.intensity, p.c.intensity, p.d.intensity, p.e.intensity), kind);
-  out.colours = pack(add_to_column<Stage, 1, 0>(x, colour_row_sum<0>(p), kind),
-                     add_to_column<Stage, 2, 0>(x, colour_row_sum<1>(p), kind),
-                     add_to_column<Stage, 3, 0>(x, colour_row_sum<2>(p), kind),
-                     add_to_column<Stage, 4, 0>(x, colour_row_sum<3>(p), kind));
+  out.intensity = add_in_turn<Stage, 0>(x, taps, kind);
+  out.colours = pack(
+      add_in_turn<Stage, 1>(x, colour_taps<0>(p), kind), add_in_turn<Stage, 2>(x, colour_taps<1>(p), kind),
+      add_in_turn<Stage, 3>(x, colour_taps<2>(p), kind), add_in_turn<Stage, 4>(x, colour_taps<3>(p), kind));
   return out;
 }
 
@@ -67,7 +80,7 @@ void reduce_pixels(stream<uint16_t>& intensity, stream<uint64_t>& colours, strea
   const int columns = geometry::half(w);
 #pragma nounroll
   for (int y = 0; y < h; ++y) {
-    const RowKind kind = row_kind(y, h);
+    const uint32_t kind = row_kind::of(y, h);
     PixelWindow p = PixelWindow();
     p.c.intensity = intensity.read();
     p.c.colours = colours.read();
@@ -87,7 +100,7 @@ void reduce_pixels(stream<uint16_t>& intensity, stream<uint64_t>& colours, strea
         p.e.colours = colours.read();
       }
       const PyramidPixel out = add_window<Stage>(x, p, kind);
-      if (kind.emits()) {
+      if (row_kind::emits(kind)) {
         intensity_out.write(out.intensity);
         colours_out.write(out.colours);
       }
