@@ -237,17 +237,17 @@ class Testbench(WithFolder):
         self.assertIn("3 calls, 0 ports wrong", out)
 
     def test_a_wrong_word_is_seen(self):
-        line = re.search(r"words gains_out 8 (\w+)", self.vectors())
+        line = re.search(r"words colour_gains 8 (\w+)", self.vectors())
         wrong = self.vectors()[: line.start(1)] + f"{int(line[1], 16) ^ 1:x}" + self.vectors()[line.end(1):]
         self.assertEqual(self.bench(wrong)[0], 1)
-        self.assertIn("call 1, gains_out: 1 of 8 words wrong", self.bench(wrong)[1])
+        self.assertIn("call 1, colour_gains: 1 of 8 words wrong", self.bench(wrong)[1])
 
     def test_a_word_not_read_and_one_too_few_are_seen(self):
-        more = re.sub(r"words statistics 8(.*)", r"words statistics 9\1 0", self.vectors(), count=1)
+        more = re.sub(r"words orientation 8(.*)", r"words orientation 9\1 0", self.vectors(), count=1)
         self.assertEqual(self.bench(more)[0], 1)
-        self.assertIn("call 1, statistics: words not read", self.bench(more)[1])
-        fewer = re.sub(r"words gains_out 8 \w+", "words gains_out 7", self.vectors(), count=1)
-        self.assertIn("call 1, gains_out: 8 words, not 7", self.bench(fewer)[1])
+        self.assertIn("call 1, orientation: words not read", self.bench(more)[1])
+        fewer = re.sub(r"words colour_gains 8 \w+", "words colour_gains 7", self.vectors(), count=1)
+        self.assertIn("call 1, colour_gains: 8 words, not 7", self.bench(fewer)[1])
 
     def test_broken_files(self):
         for text in ("", "cull\n", self.vectors()[:20], "call\nwords x 1 0\n"):
