@@ -7,9 +7,8 @@
 // accuracy::gabor_level_error.
 //
 // Separable: five vertical filters on the raw pixels, then horizontal ones on their sums, of which the
-// orientations share the products. All coefficients are small constants, so that multiplications are shifts
-// and adds. The horizontal filters work on the columns of the turns before, side by side with the vertical
-// ones of the newest column.
+// orientations share the products. The horizontal filters work on the columns of the turns before, side by
+// side with the vertical ones of the newest column.
 #pragma once
 
 #include "sailmap/hls/arithmetic.hpp"
@@ -34,8 +33,9 @@ struct NineTaps {
 // A pixel or a column sum, for which 17 bits are enough.
 inline int32_t few_bits(int32_t value) { return narrow_signed<17>(value); }
 
-// Filters that read the same forwards and backwards, or change sign: half the multiplications. Two filters
-// work through half of them each, in Bambu one a cycle (SAILMAP_SHARED).
+// Filters that read the same forwards and backwards, or change sign: half the multiplications. One
+// piece of hardware works through them, in Bambu one a cycle (SAILMAP_SHARED); on the base level two, half of
+// them each.
 template <int Level, int Half>
 SAILMAP_SHARED int32_t gabor_filter(uint32_t kind, int16_t t0, int16_t t1, int16_t t2, int16_t t3, int16_t t4,
                                     int32_t a, int32_t b, int32_t c, int32_t d, int32_t e, int32_t f,
@@ -49,8 +49,10 @@ SAILMAP_SHARED int32_t gabor_filter(uint32_t kind, int16_t t0, int16_t t1, int16
          t3 * (few_bits(d) + far1) + t4 * few_bits(e);
 }
 
-template <int Level, int Half>
+template <int Level, int Number>
 struct GaborFilter {
+  static constexpr int Half = Level == geometry::base_level ? Number : 0;
+
   static int32_t symmetric(const int (&taps)[gabor::taps], const NineTaps& p) {
     return gabor_filter<Level, Half>(tagged<2 * Level + Half>(0), static_cast<int16_t>(taps[0]),
                                      static_cast<int16_t>(taps[1]), static_cast<int16_t>(taps[2]),
@@ -129,7 +131,7 @@ inline GaborTaps gabor_taps(uint16_t read, bool is_read, int x, int to) {
 template <int Level>
 SAILMAP_INLINED GaborColumn gabor_column_of(const GaborTaps& taps) {
   using A = GaborFilter<Level, 0>;
-  using B = GaborFilter<Level, Level == geometry::base_level ? 1 : 0>;
+  using B = GaborFilter<Level, 1>;
   NineTaps p = {0, 0, 0, 0, 0, 0, 0, 0, 0};
   p.a = lane<3>(taps.far_above);
   p.b = lane<2>(taps.far_above);
@@ -175,7 +177,7 @@ struct GaborEnergies {
 template <int Level>
 SAILMAP_INLINED GaborEnergies gabor_energies(const GaborWindow& w) {
   using A = GaborFilter<Level, 0>;
-  using B = GaborFilter<Level, Level == geometry::base_level ? 1 : 0>;
+  using B = GaborFilter<Level, 1>;
   const int32_t cc = A::symmetric(gabor::C, w.cosine);
   const int32_t ss = B::antisymmetric(gabor::S, w.sine);
   const int32_t gg = A::symmetric(gabor::G, w.gauss);
