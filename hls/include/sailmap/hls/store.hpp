@@ -19,7 +19,7 @@ namespace hls {
 
 // Block memories are 36 bits wide where they have 1024 words: room for two maps and their flags, which are
 // above the maps. So four maps are in two words, three in a word of two, with all flags, and one of one. What
-// of a native word is always 0 no tool makes memory for.
+// of a native word is never used, Yosys makes no memory for.
 constexpr int stored_pair_bits = 2 * lane_bits + 2;
 
 template <class Config, int Kind, int Bank, int Pair>
