@@ -43,6 +43,7 @@ class Job:
     height: int
     beat: int
     folder: Path
+    double_buffer: bool = False
 
     @property
     def is_network(self):
@@ -55,7 +56,8 @@ class Job:
 
     @property
     def options(self):
-        macros = {"MAX_WIDTH": self.width, "MAX_HEIGHT": self.height, "BEAT": self.beat}
+        macros = {"MAX_WIDTH": self.width, "MAX_HEIGHT": self.height, "BEAT": self.beat,
+                  "DOUBLE_BUFFER": str(self.double_buffer).lower()}
         return ["--compiler=I386_CLANG16", "-O2", "--std=c++14", f"-I{ROOT / 'hls/include'}", f"-I{ROOT / 'hls/top'}",
                 *(f"-DSAILMAP_{name}={value}" for name, value in macros.items()), f"--top-fname={self.top.name}",
                 "--generate-interface=INFER", f"--device-name={DEVICE}", f"--clock-period={PERIOD}", "--hls-div=nr1",

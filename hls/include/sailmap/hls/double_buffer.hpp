@@ -57,6 +57,21 @@ void store_in_turn(stream<uint8_t>& turn, stream<lanes_t<Count> >& in, stream<ui
   if (turn.read() == Bank) store<Config, Count, Kind, Bank>(in, in_flags, statistics, out, width, height);
 }
 
+// One store's frame handed on.
+template <class Config, int Count, int Kind>
+SAILMAP_INLINED void hand_on(stream<uint32_t>& statistics_in, stream<lanes_t<Count> >& in,
+                             stream<uint32_t>& statistics, stream<lanes_t<Count> >& out, int pixels) {
+#pragma nounroll
+  for (int i = Kind; i < 2 * Count + Kind; ++i) statistics.write(statistics_in.read());
+#pragma nounroll
+  for (int i = Kind; i < pixels + Kind; ++i) {
+    SAILMAP_PIPELINE
+    out.write(in.read());
+  }
+}
+
+// Each store has loops of its own: of reads of either stream under a condition Bambu's compiler makes reads
+// of one of them.
 template <class Config, int Count, int Kind>
 void collect_turns(stream<uint8_t>& turn, stream<uint32_t>& statistics_a, stream<lanes_t<Count> >& in_a,
                    stream<uint32_t>& statistics_b, stream<lanes_t<Count> >& in_b,
@@ -64,14 +79,10 @@ void collect_turns(stream<uint8_t>& turn, stream<uint32_t>& statistics_a, stream
                    uint16_t height) {
   const int pixels =
       Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
-  const uint8_t whose = turn.read();
-#pragma nounroll
-  for (int i = 0; i < 2 * Count; ++i)
-    statistics.write(whose == 0 ? statistics_a.read() : statistics_b.read());
-#pragma nounroll
-  for (int i = 0; i < pixels; ++i) {
-    SAILMAP_PIPELINE
-    out.write(whose == 0 ? in_a.read() : in_b.read());
+  if (turn.read() == 0) {
+    hand_on<Config, Count, Kind>(statistics_a, in_a, statistics, out, pixels);
+  } else {
+    hand_on<Config, Count, Kind>(statistics_b, in_b, statistics, out, pixels);
   }
 }
 
