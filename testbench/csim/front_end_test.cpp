@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <opencv2/imgcodecs.hpp>
@@ -173,19 +173,19 @@ TEST(CsimFrontEnd, RefusesFramesItDoesNotTake) {
   EXPECT_EQ(simulated(odd, 2).size(), 1U);
 }
 
-// At least two VGA frames a second; the log says how many.
+// At least two VGA frames a second of processor time, which other work on the machine does not take part in;
+// the log says how many. A build for debugging is not what one works with.
 TEST(CsimFrontEnd, IsFastEnoughToWorkWith) {
-#if defined(__SANITIZE_ADDRESS__) || !defined(NDEBUG)
-  GTEST_SKIP() << "not an optimised build";
-#endif
   std::mt19937 random = generator();
   const std::vector<Frame> frames(4, patches_frame(640, 480, random));
-  const auto begin = std::chrono::steady_clock::now();
-  simulated(frames, 4);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  const double rate = static_cast<double>(frames.size()) / seconds.count();
+  const std::clock_t begin = std::clock();
+  EXPECT_EQ(simulated(frames, 4).size(), frames.size());
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  const double rate = static_cast<double>(frames.size()) / seconds;
   std::cout << "C simulation: " << rate << " VGA frames a second\n";
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
   EXPECT_GE(rate, 2.0);
+#endif
 }
 
 }  // namespace
