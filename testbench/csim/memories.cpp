@@ -63,7 +63,7 @@ void print_sum(const char* name) {
     sum.add(memory);
     if (memory.what.rfind("store", 0) == 0) stores.add(memory);
   }
-  std::printf("%-6s %4d %-6s %10.1f %8.1f %8.1f %6d\n", name, Config::beat,
+  std::printf("%-7s %4d %-6s %10.1f %8.1f %8.1f %6d\n", name, Config::beat,
               Config::double_buffer ? "double" : "single", sum.kilobits, stores.block_rams, sum.block_rams,
               sum.luts);
 }
@@ -88,10 +88,12 @@ void print_signature(const char* name) {
 int main() {
   print_each<hls::Vga<8>>("VGA");
   std::printf(
-      "arrays of up to %d words in LUTs, the others in block memory\n%-6s %4s %-6s %10s %8s %8s %6s\n",
+      "arrays of up to %d words in LUTs, the others in block memory\n%-7s %4s %-6s %10s %8s %8s %6s\n",
       shallow, "preset", "beat", "buffer", "kbit", "stores", "BRAM36", "LUT");
   print_preset<hls::Qvga>("QVGA");
-  print_sum<hls::Config<576, 432, 8>>("576");
+  // The largest that fit the 140 block RAMs of a Zynq-7020, of 4:3 and of the width of VGA.
+  print_sum<hls::Config<592, 448, 8>>("592x448");
+  print_sum<hls::Config<640, 400, 8>>("640x400");
   print_preset<hls::Vga>("VGA");
   print_preset<hls::Hd720>("720p");
   print_preset<hls::Hd1080>("1080p");

@@ -1,6 +1,7 @@
 // Writes the words of one synthesis top's test bench (scripts/vitis/testbench.hpp has the format), in and
 // out, from the quantised reference: write_vectors TOP BEAT FILE [IMAGE.ppm...]. Three frames of different
 // size, or those images; no kernel code takes part.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -224,20 +225,24 @@ std::vector<std::uint32_t> gain_words(const Stages& stages) {
 }
 
 void gains(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
-  // The colours stand for all kinds: two of them for intensity.
-  const std::vector<std::uint32_t> four_maps = statistics_words(stages);
-  const std::vector<std::uint32_t> two_maps(four_maps.begin(), four_maps.begin() + 4);
-  const std::vector<std::uint32_t> four_gains = gain_words(stages);
-  std::vector<std::uint32_t> all = two_maps;
-  all.insert(all.end(), four_maps.begin(), four_maps.end());
-  all.insert(all.end(), four_maps.begin(), four_maps.end());
-  call.words("intensity", two_maps);
-  call.words("colour", four_maps);
-  call.words("orientation", four_maps);
+  // The colours stand for all kinds: two of them for intensity, in another order for orientation.
+  using Words = std::vector<std::uint32_t>;
+  const auto two = [](const Words& words) { return Words(words.begin(), words.begin() + 4); };
+  const auto turned = [](Words words) {
+    std::rotate(words.begin(), words.begin() + 4, words.end());
+    return words;
+  };
+  const Words statistics = statistics_words(stages);
+  const Words gains = gain_words(stages);
+  Words all = two(statistics);
+  for (const Words& kind : {statistics, turned(statistics)}) all.insert(all.end(), kind.begin(), kind.end());
+  call.words("intensity", two(statistics));
+  call.words("colour", statistics);
+  call.words("orientation", turned(statistics));
   call.words("statistics_out", all);
-  call.words("intensity_gains", std::vector<std::uint32_t>(four_gains.begin(), four_gains.begin() + 4));
-  call.words("colour_gains", four_gains);
-  call.words("orientation_gains", four_gains);
+  call.words("intensity_gains", two(gains));
+  call.words("colour_gains", gains);
+  call.words("orientation_gains", turned(gains));
 }
 
 void normalise(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
