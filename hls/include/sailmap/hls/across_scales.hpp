@@ -76,23 +76,24 @@ void across_scales(stream<uint64_t>& coarse, stream<uint64_t>& fine, stream<uint
   for (int y = 0; y < h; ++y) {
     // Even rows lie on a coarse row; odd ones between the last and a new one, but for a last row without.
     const bool reads = (y & 1) != 0 && y + 1 < h;
+    // In front of every second pixel, the row's first and odd ones, comes a column that the last one may
+    // lack: an even pixel lies on a column, between that one and itself.
     CoarseColumn left = {0, 0};
     CoarseColumn right = {0, 0};
 #pragma nounroll
-    for (int x = 0; x <= coarse_w; ++x) {
-      SAILMAP_PIPELINE_II(2)
-      if (x < coarse_w) {
-        const uint64_t upper = scale_words(memory[x]);
+    for (int x = -1; x < w; ++x) {
+      SAILMAP_PIPELINE
+      const bool odd = (x & 1) != 0;
+      const int next = (x + 1) >> 1;
+      if (odd && next < coarse_w) {
+        const uint64_t upper = scale_words(memory[next]);
         uint64_t lower = upper;
         if (reads) lower = scale_words(coarse.read());
-        memory[x] = lower;
+        memory[next] = lower;
         right = coarse_column(upper, lower);
       }
-      if (x > 0) {
-        out.write(scale_pixel<Level>(left, left, scale_words(fine.read())));
-        if (2 * x - 1 < w) out.write(scale_pixel<Level>(left, right, scale_words(fine.read())));
-      }
-      left = right;
+      if (x >= 0) out.write(scale_pixel<Level>(left, right, scale_words(fine.read())));
+      left = odd ? right : left;
     }
   }
 }

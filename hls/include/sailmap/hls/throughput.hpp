@@ -53,7 +53,7 @@ constexpr long orientation_energy(int w, int h, int level) {
                 level_side(h, level) + geometry::gabor_radius);
 }
 constexpr long across_scales(int w, int h, int level) {
-  return cycles(2 * (level_side(w, level + 1) + 1), level_side(h, level)) + level_side(w, level + 1);
+  return cycles(1 + level_side(w, level), level_side(h, level)) + level_side(w, level + 1);
 }
 constexpr long base_pixels(int w, int h) { return cycles(geometry::base_side(w), geometry::base_side(h)); }
 
