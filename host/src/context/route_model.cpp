@@ -156,25 +156,28 @@ RouteModel::Estimate RouteModel::advance(std::span<const float> likelihoods, int
   Forecast ahead = forecast(probabilities, likelihoods);
   const Steps explained = explained_by(probabilities, likelihoods);
   const double on_route = (1 - breaks) * std::accumulate(explained.begin(), explained.end(), 0.0);
+  // What breaks off, and what runs off the map's ends, may be anywhere.
+  const double off_route = 1 - (1 - breaks) * (sum_of(ahead.forward) + sum_of(ahead.backward));
   Estimate out;
-  out.expected = on_route + breaks;
+  out.expected = on_route + off_route;
   // One forecast that held proves little, since images that follow each other err alike: paths that began
-  // with the last image count as being anywhere.
-  const double spread = (1 - breaks) * sum_of(fresh_) + breaks;
+  // with the last image count as being anywhere too.
+  const double spread = 1 - (1 - breaks) * sum_of(ahead.confirmed);
   out.prior.resize(count);
   out.followed.resize(count);
   for (std::size_t c = 0; c < count; ++c) {
     const double confirmed = (1 - breaks) * ahead.confirmed[c];
-    out.prior[c] = first ? 1.0F : static_cast<float>(confirmed / anywhere + spread);
+    out.prior[c] = static_cast<float>(confirmed / anywhere + spread);
     out.followed[c] = static_cast<float>(confirmed * likelihoods[c] / out.expected);
   }
   out.followed = with_neighbours(out.followed);
   if (!first) {
-    learn(explained, on_route / out.expected);
-    judge_order(out.expected);
+    learn(explained, 1 - breaks / out.expected);
+    // What runs off the map follows no route in it.
+    judge_order(on_route + breaks);
   }
   const auto on = static_cast<float>((1 - breaks) / out.expected);
-  const auto begun = static_cast<float>(breaks * anywhere / out.expected);
+  const auto begun = static_cast<float>(off_route * anywhere / out.expected);
   fresh_.resize(count);
   for (std::size_t c = 0; c < count; ++c) {
     ahead.forward[c] *= on * likelihoods[c];

@@ -23,9 +23,13 @@ constexpr double odds_of_missed = 1.5;
 // Only where paths hardly ever break: in full up to one image in 25, not at all from one in 17.
 constexpr double few_breaks = 0.04, many_breaks = 0.06;
 
-// The choice is the image's own where it is sure, and shows another place clearly less: a route that ends or
-// breaks off looks like its continuation for an image or two.
-constexpr float sure_odds = 2, clearly = 1.3F;
+// And only to places that the path is at with more than so little certainty: it grows doubtful all over the
+// map where images that show nothing follow the end of a route.
+constexpr float least_followed = 0.2F;
+
+// The choice is the image's own where it is rather sure than not, and shows another place clearly less: a
+// route that ends or breaks off looks like its continuation for an image or two.
+constexpr float sure_odds = 1, clearly = 1.2F;
 // Nor can a route lead to a place that the image all but excludes, being so much less likely than its best.
 constexpr float excluding = 1000;
 
@@ -68,6 +72,12 @@ void share_with_neighbours(const std::vector<float>& standing, std::vector<float
   }
 }
 
+// At most even; 0 where there is too little of the path.
+float odds_of_following(float followed) {
+  if (followed < least_followed) return 0;
+  return followed < 0.5F ? followed / (1 - followed) : 1.0F;
+}
+
 bool same(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 }  // namespace
@@ -94,8 +104,7 @@ TemporalFilter::Support TemporalFilter::support(const ScoreEvidence::Row& row) {
   const auto believed = static_cast<float>(odds_of_missed * trust * unbroken * held);
   for (std::size_t c = 0; c < row.odds.size(); ++c) {
     out.factors[c] = row.standing[c] > 0 ? std::max(least_factor, std::pow(out.factors[c], power)) : 1.0F;
-    const float followed = out.missed[c];
-    out.missed[c] = believed * (followed < 0.5F ? followed / (1 - followed) : 1.0F);
+    out.missed[c] = believed * odds_of_following(out.missed[c]);
   }
   if (*std::max_element(row.odds.begin(), row.odds.end()) >= config_.telling_odds) {
     share_with_neighbours(row.standing, out.factors);

@@ -202,9 +202,9 @@ TEST(TemporalFilter, ASureImageKeepsItsChoiceAndAnUnsureOneDoesNot) {
   const auto shows = [](float elsewhere, float ahead) {
     return [=](int c) { return c == 5 ? elsewhere : (c == 40 ? ahead : 0.01F); };
   };
-  EXPECT_EQ(place_of(after_a_route(40, shows(0.72F, 0.64F))), 5);   // odds 2.6 and 1.8
-  EXPECT_EQ(place_of(after_a_route(40, shows(0.72F, 0.70F))), 40);  // not clearly less
-  EXPECT_EQ(place_of(after_a_route(40, shows(0.60F, 0.45F))), 40);  // below odds of 2
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.55F, 0.49F))), 5);   // odds 1.22 and 0.96
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.55F, 0.52F))), 40);  // not clearly less
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.48F, 0.40F))), 40);  // below odds of 1
 }
 
 TEST(TemporalFilter, ARouteLeadsNowhereThatTheImageAllButExcludes) {
@@ -213,6 +213,18 @@ TEST(TemporalFilter, ARouteLeadsNowhereThatTheImageAllButExcludes) {
   };
   EXPECT_GE(place_of(after_a_route(40, shows(1e-4F))), 30);
   EXPECT_EQ(place_of(after_a_route(40, shows(1e-5F))), 5);
+}
+
+TEST(TemporalFilter, WhatIsLeftOfARouteThatEndedLeadsNowhere) {
+  TemporalFilter filter({10, none, 0.5, 0.5});
+  std::vector<float> row(60);
+  const auto shows = [&](int place, float score) {
+    std::fill(row.begin(), row.end(), 1e-5F);
+    row[static_cast<std::size_t>(place)] = score;
+    return filter.apply(row);
+  };
+  for (int q = 0; q < 60; ++q) shows(q, 0.5F);
+  for (int after = 0; after < 4; ++after) EXPECT_EQ(place_of(shows(5 + after, 0.008F)), 5 + after);
 }
 
 TEST(TemporalFilter, AnImageThatTellsPlacesApartChoosesAmongNeighbours) {
