@@ -23,6 +23,7 @@ class RouteModel {
     // With the image itself: that the route went on as foretold and led to about here.
     std::vector<float> followed;
     double expected = 1;  // likelihood of the image under the forecast, relative to no forecast
+    double on_map = 1;    // how much of the forecast is on the map, where paths do not break off, 0 .. 1
   };
 
   // The next image: likelihoods of mean 1 over the `admissible` candidates, which come in the order of

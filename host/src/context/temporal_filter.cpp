@@ -97,7 +97,9 @@ TemporalFilter::Support TemporalFilter::support(const ScoreEvidence::Row& row) {
   const double breaks = route_.observed_breaks();
   RouteModel::Estimate estimate = route_.advance(evidence_.likelihoods(row), row.count);
   Support out{std::move(estimate.prior), std::move(estimate.followed)};
-  const auto power = static_cast<float>(config_.power * trust);
+  // A path that may have left the map says less of where it is in it.
+  const double still_on = estimate.on_map * estimate.on_map;
+  const auto power = static_cast<float>(config_.power * trust * still_on);
   const double unbroken = std::clamp((many_breaks - breaks) / (many_breaks - few_breaks), 0.0, 1.0);
   // Where the image contradicts the forecast, the path has probably just broken.
   const double held = std::min(1.0, estimate.expected * estimate.expected);

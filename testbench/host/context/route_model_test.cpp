@@ -83,9 +83,11 @@ TEST(RouteModel, APathThatRunsOffTheMapMayBeAnywhere) {
   RouteModel model(10);
   const RouteModel::Estimate amid = follow(model, 20, [](int i) { return 3 * i; });
   EXPECT_LT(amid.prior[20], 0.3);
+  EXPECT_GT(amid.on_map, 0.9);
   const double breaks = model.observed_breaks();
   const RouteModel::Estimate beyond = model.advance(seen_at(20), places);
   EXPECT_GT(beyond.prior[20], 0.7);
+  EXPECT_LT(beyond.on_map, 0.5);
   EXPECT_LT(model.observed_breaks(), breaks + 0.02);  // hardly a break
 }
 
