@@ -156,9 +156,9 @@ RouteModel::Estimate RouteModel::advance(std::span<const float> likelihoods, int
   Forecast ahead = forecast(probabilities, likelihoods);
   const Steps explained = explained_by(probabilities, likelihoods);
   const double on_route = (1 - breaks) * std::accumulate(explained.begin(), explained.end(), 0.0);
-  // What breaks off, and what runs off the map's ends, may be anywhere.
   Estimate out;
   if (!first) out.on_map = std::min(1.0, sum_of(ahead.forward) + sum_of(ahead.backward));
+  // What breaks off, and what runs off the map's ends, may be anywhere.
   const double off_route = 1 - (1 - breaks) * out.on_map;
   out.expected = on_route + off_route;
   // One forecast that held proves little, since images that follow each other err alike: paths that began
