@@ -23,8 +23,8 @@ constexpr double odds_of_missed = 1.5;
 // Only where paths hardly ever break: in full up to one image in 25, not at all from one in 17.
 constexpr double few_breaks = 0.04, many_breaks = 0.06;
 
-// And only to places that the path is at with more than so little certainty: it grows doubtful all over the
-// map where images that show nothing follow the end of a route.
+// And only places where at least so much of the path is: when a route has ended and images show nothing, what
+// is left of it spreads over the map.
 constexpr float least_followed = 0.2F;
 
 // The choice is the image's own where it is rather sure than not, and shows another place clearly less: a
