@@ -34,8 +34,8 @@ void sailmap_join_pairs(sailmap::hls::stream<uint32_t>& low, sailmap::hls::strea
                         sailmap::hls::stream<uint64_t>& out, sailmap::hls::stream<uint8_t>& flags,
                         uint16_t width, uint16_t height);
 void sailmap_store(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint8_t>& in_flags,
-                   sailmap::hls::stream<uint32_t>& statistics, sailmap::hls::stream<uint64_t>& out,
-                   uint16_t width, uint16_t height);
+                   sailmap::hls::stream<uint32_t>& statistics, sailmap::hls::stream<uint64_t>& maps_out,
+                   sailmap::hls::stream<uint64_t>& out, uint16_t width, uint16_t height);
 void sailmap_gains(sailmap::hls::stream<uint32_t>& intensity, sailmap::hls::stream<uint32_t>& colour,
                    sailmap::hls::stream<uint32_t>& orientation,
                    sailmap::hls::stream<uint32_t>& statistics_out,
@@ -43,8 +43,10 @@ void sailmap_gains(sailmap::hls::stream<uint32_t>& intensity, sailmap::hls::stre
                    sailmap::hls::stream<uint32_t>& colour_gains,
                    sailmap::hls::stream<uint32_t>& orientation_gains);
 void sailmap_normalise(sailmap::hls::stream<uint32_t>& gains, sailmap::hls::stream<uint64_t>& maps,
-                       sailmap::hls::stream<uint64_t>& maps_out, sailmap::hls::stream<uint32_t>& sum_out,
-                       uint16_t width, uint16_t height);
+                       sailmap::hls::stream<uint32_t>& sum_out, uint16_t width, uint16_t height);
+void sailmap_peaks(sailmap::hls::stream<uint64_t>& in, sailmap::hls::stream<uint8_t>& in_flags,
+                   sailmap::hls::stream<uint32_t>& statistics, sailmap::hls::stream<uint64_t>& maps_out,
+                   sailmap::hls::stream<uint64_t>& out, uint16_t width, uint16_t height);
 void sailmap_signature(sailmap::hls::stream<uint32_t>& intensity_maps,
                        sailmap::hls::stream<uint64_t>& colour_maps,
                        sailmap::hls::stream<uint64_t>& orientation_maps,

@@ -3,12 +3,10 @@
 #include "kernels.hpp"
 
 void sailmap_normalise(sailmap::hls::stream<uint32_t>& gains, sailmap::hls::stream<uint64_t>& maps,
-                       sailmap::hls::stream<uint64_t>& maps_out, sailmap::hls::stream<uint32_t>& sum_out,
-                       uint16_t width, uint16_t height) {
+                       sailmap::hls::stream<uint32_t>& sum_out, uint16_t width, uint16_t height) {
 #pragma HLS interface mode = axis port = gains
 #pragma HLS interface mode = axis port = maps
-#pragma HLS interface mode = axis port = maps_out
 #pragma HLS interface mode = axis port = sum_out
-  sailmap::hls::normalise<sailmap::top::Config, 4, sailmap::hls::colour_kind>(gains, maps, maps_out, sum_out,
-                                                                              width, height);
+  sailmap::hls::normalise<sailmap::top::Config, 4, sailmap::hls::colour_kind>(gains, maps, sum_out, width,
+                                                                              height);
 }

@@ -84,18 +84,24 @@ def ecp5(cells):
                 ff=cells.get("TRELLIS_FF", 0), bram=cells.get("DP16KD", 0), dsp=cells.get("MULT18X18D", 0))
 
 
-FAMILIES = {"xc7": ("synth_xilinx -family xc7 -flatten -noiopad", xc7), "ecp5": ("synth_ecp5", ecp5)}
+# Memories of so many words are in LUTs, as the memory table of docs/fpga.md has them: by itself Yosys puts rows of 160 words
+# into block RAM, of which there is less than of LUTs.
+SHALLOW = 192
+XC7 = "synth_xilinx -family xc7 -flatten -noiopad"
+FAMILIES = {"xc7": (f"{XC7} -top {{top}} -run begin:map_memory; setattr -set ram_style \"distributed\" "
+                    f"t:$mem_v2 r:SIZE<={SHALLOW} %i; {XC7} -run map_memory:", xc7),
+            "ecp5": ("synth_ecp5 -top {top}", ecp5)}
 
 
 def cells(job, family, verilog, top, name, seconds):
     """Cells by type of a module, flattened."""
-    command = FAMILIES[family][0]
+    command = FAMILIES[family][0].format(top=top)
     statistics = job.folder / f"{name}.json"
     if not statistics.exists() or statistics.stat().st_mtime < job.verilog.stat().st_mtime:
         source = job.folder / f"{name}.v"
         source.write_text(verilog, encoding="utf-8")
         # Deferred: components without a use would look for memory files that are not there.
-        script = f"read_verilog -defer {source.name}; {command} -top {top}; tee -q -o {statistics.name}.new stat -json"
+        script = f"read_verilog -defer {source.name}; {command}; tee -q -o {statistics.name}.new stat -json"
         checked(["yosys", "-q", "-p", script], job.folder / f"{name}.log", job.folder, seconds)
         (job.folder / f"{statistics.name}.new").rename(statistics)
         source.unlink()

@@ -1,10 +1,12 @@
-"""The FIFOs between the stages of a region: Bambu's, changed in two things.
+"""The FIFOs between the stages of a region: Bambu's, changed in three things.
 
 - Bambu's puts out zeros while it is empty, which costs a LUT for two bits of every word. Its readers look at `empty_n` first
   (their `done_port` waits for it), so this one puts out whatever is in its memory.
 - Bambu's are three words deep, whatever a pragma says. That is enough for every one but two: a row of the base level comes in
   the time of one row of level 0, in four of which there is no other. Where it can wait in front of the base level, the stages
   there have all that time for it, and need a filter where they else had four.
+- A read that does not wait (try_read in stream.hpp) and finds nothing is forgotten. Bambu's goes on by itself: it takes the
+  next word when it comes, for nobody, and the word is lost.
 """
 
 import re
@@ -44,6 +46,9 @@ endmodule"""
 # The first stage of the base level, and how it reads a FIFO.
 FIRST_OF_BASE = re.compile(r"__ZN7sailmap3hls10fork_levelI.*ELi2EEEv\w+")
 READER = re.compile(r"(\w+)_bambu_artificial_ParmMgr_Read_fifo_modgen")
+# A reader that finds nothing; its argument `in1` is 1 of a read that does not wait.
+GOES_ON = re.compile(r"started_0 = \(started \| start_port\) & ~(\w+_empty_n);")
+FORGETS = r"started_0 = (started | (start_port & ~in1[0])) & ~\1;"
 
 
 def address_bits(row):
@@ -64,4 +69,7 @@ def changed(verilog, row):
             raise ValueError(f"{name}: {found} FIFOs")
     if len(deep) != 2:
         raise ValueError(f"{len(deep)} FIFOs in front of the base level")
+    verilog, found = GOES_ON.subn(FORGETS, verilog)
+    if found == 0:
+        raise ValueError("no FIFO has a reader")
     return verilog

@@ -51,6 +51,11 @@ class Job:
         return "HLS dataflow" in self.top.source.read_text(encoding="utf-8")
 
     @property
+    def takes_ahead(self):
+        """Whether the top may take words of the next call (store.hpp)."""
+        return self.top.name == "sailmap_store"
+
+    @property
     def verilog(self):
         return self.folder / f"{self.top.name}.v"
 

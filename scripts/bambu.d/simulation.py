@@ -46,7 +46,7 @@ def simulate(job, vectors, seed, seconds):
     """Runs all calls of a file of vectors; the cycles of each. A Fault with the first difference. `seed` 0: no stalls."""
     program = build(job, seconds)
     # Bambu's memories read their first contents from files beside the Verilog.
-    command = [str(program), str(vectors), str(seed)] + ["network"] * job.is_network
+    command = [str(program), str(vectors), str(seed)] + ["network"] * job.is_network + ["ahead"] * job.takes_ahead
     try:
         run = subprocess.run(command, check=False, cwd=job.folder, capture_output=True, text=True, timeout=seconds,
                              env={**os.environ, "LC_ALL": "C"})

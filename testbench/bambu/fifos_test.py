@@ -29,7 +29,8 @@ def region(level):
     """A region with a fork of this level, which reads two FIFOs of three."""
     fork = FORK.format(level=level)
     return "".join([
-        module(reader("DF_1FO0")), module(reader("DF_2FO0")), module(reader("DF_3FO0")),
+        *(module(reader(name), f"    started_0 = (started | start_port) & ~_{name}_empty_n;",
+                 f"    done_0 = ( started | start_port) & _{name}_empty_n;") for name in ("DF_1FO0", "DF_2FO0", "DF_3FO0")),
         module(fork, f"  {reader('DF_1FO0')} a (.clock(clock));", f"  {reader('DF_3FO0')} b (.clock(clock));"),
         module("dataflow_fifo", "  assign dout = (write_idx == read_idx) ? 'd0 : circ_fifo[read_idx];"),
         module("top", instance("DF_1FO0", 16), instance("DF_2FO0", 16), instance("DF_3FO0", 64), f"  {fork} f (.clock(clock));")])
@@ -43,6 +44,16 @@ class Fifos(unittest.TestCase):
 
     def test_none_puts_out_zeros(self):
         self.assertNotIn("'d0 : circ_fifo", fifos.changed(region(2), 160))
+
+    def test_a_read_that_does_not_wait_is_forgotten(self):
+        verilog = fifos.changed(region(2), 160)
+        for name in ("DF_1FO0", "DF_2FO0", "DF_3FO0"):
+            self.assertIn(f"started_0 = (started | (start_port & ~in1[0])) & ~_{name}_empty_n;", verilog)
+            self.assertIn(f"done_0 = ( started | start_port) & _{name}_empty_n;", verilog)
+
+    def test_readers_of_another_shape_are_refused(self):
+        with self.assertRaises(ValueError):
+            fifos.changed(region(2).replace("started_0 =", "started_1 ="), 160)
 
     def test_three_quarters_of_a_row_fit_in(self):
         for row in range(16, 1025):

@@ -91,9 +91,6 @@ int main() {
       "arrays of up to %d words in LUTs, the others in block memory\n%-7s %4s %-6s %10s %8s %8s %6s\n",
       shallow, "preset", "beat", "buffer", "kbit", "stores", "BRAM36", "LUT");
   print_preset<hls::Qvga>("QVGA");
-  // The largest that fit the 140 block RAMs of a Zynq-7020, of 4:3 and of the width of VGA.
-  print_sum<hls::Config<592, 448, 8>>("592x448");
-  print_sum<hls::Config<640, 400, 8>>("640x400");
   print_preset<hls::Vga>("VGA");
   print_preset<hls::Hd720>("720p");
   print_preset<hls::Hd1080>("1080p");

@@ -117,8 +117,8 @@ void add_stores(std::vector<Memory>& all) {
   all.push_back(memory<Pair>("store: two intensity maps", buffers, stored_pair_bits));
   all.push_back(memory<Pair>("store: two of four colour maps", 2 * buffers, stored_pair_bits));
   all.push_back(memory<Pair>("store: two of four orientation maps", 2 * buffers, stored_pair_bits));
-  all.push_back(memory<Pair>("store: C_I and C_C, all flags", buffers, stored_pair_bits + 1));
-  all.push_back(memory<decltype(StoredMap<Config, 3, 0>::words)>("store: C_O", buffers));
+  all.push_back(memory<decltype(PeakList<Config, 0>::values)>("local maxima of conspicuity",
+                                                              geometry::conspicuity_maps));
 }
 
 template <class Config>

@@ -131,11 +131,13 @@ TEST(CsimNetwork, ARowMoreOrLessDeadlocks) {
 }
 
 // By hand, for VGA: 480 rows of 641 cycles and one of 320 fill the first reduction at one pixel a beat, and a
-// single store counts and replays 160 x 120 pixels; 481 rows of 80 words at eight.
+// single store counts and replays 160 x 120 pixels before it fills again; at eight pixels a beat two stores
+// wait for the two passes over 160 x 120 pixels and for as many local maxima as there are at most.
 TEST(Throughput, OfVgaIsWhatTheLoopsSay) {
   EXPECT_EQ(hls::throughput::frame(640, 480, 1, false), 480 * 641 + 320 + 2 * 160 * 120);
   EXPECT_EQ(hls::throughput::frame(640, 480, 1, true), 480 * 641 + 320);
-  EXPECT_EQ(hls::throughput::frame(640, 480, 8, true), 481 * 80);
+  EXPECT_EQ(hls::throughput::frame(640, 480, 4, true), 481 * 160);
+  EXPECT_EQ(hls::throughput::frame(640, 480, 8, true), 2 * 160 * 120 + 80 * 60);
 }
 
 // Nothing is read from the network before all of `frames` has gone in: "ok", or the fault.

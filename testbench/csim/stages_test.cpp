@@ -283,10 +283,11 @@ TEST_F(Stages, JoinPairs) {
   for (std::size_t i = 0; i < low.size(); ++i) {
     low[i] = static_cast<std::uint32_t>(random());
     high[i] = static_cast<std::uint32_t>(random());
-    low_flags[i] = static_cast<std::uint8_t>(random() % 4);
-    high_flags[i] = static_cast<std::uint8_t>(random() % 4);
+    const unsigned place = i == 0 ? hls::start_of_frame : i + 2 == low.size() ? hls::last_but_one : 0;
+    low_flags[i] = static_cast<std::uint8_t>(random() % 4 + place);
+    high_flags[i] = static_cast<std::uint8_t>(random() % 4 + place);
     want.push_back(std::uint64_t{high[i]} * 0x100000000U + low[i]);
-    want_flags.push_back(static_cast<std::uint8_t>(4 * high_flags[i] + low_flags[i]));
+    want_flags.push_back(static_cast<std::uint8_t>(high_flags[i] % 4 * 4 + low_flags[i]));
   }
   StageRun run;
   std::vector<std::uint64_t> got;
@@ -320,7 +321,7 @@ TEST_F(Stages, StatisticsAndNormalisation) {
       const Plane<double> want = ref::sum_of<Quantised, point::intensity_conspicuity_sum>(normalised);
 
       StageRun run;
-      std::vector<std::uint32_t> replayed;
+      std::vector<std::uint32_t> maps_out;
       std::vector<std::uint32_t> statistics;
       std::vector<std::uint32_t> sum;
       // Maximum and m of the maps of the other kinds, of which this is not about, and their gains.
@@ -339,19 +340,20 @@ TEST_F(Stages, StatisticsAndNormalisation) {
       SAILMAP_STAGE((hls::local_maxima<Config, hls::on_off_pair>),
                     run.feed(wide_pair<point::intensity_sum>(sums[0], sums[1])), checked, flags, full(w),
                     full(h));
-      SAILMAP_STAGE((hls::store<Config, 2, hls::intensity_kind, 0>), checked, flags, raw_statistics, stored,
-                    full(w), full(h));
+      SAILMAP_STAGE((hls::store<Config, 2, hls::intensity_kind, 0>), checked, flags, raw_statistics,
+                    run.take(pixels, maps_out), stored, full(w), full(h));
       SAILMAP_STAGE((hls::gains_of_features<Config>), raw_statistics, run.feed(others), run.feed(others),
                     run.take(20, statistics), gains, run.take(8, other_gains), run.take(8, other_gains_2));
       SAILMAP_STAGE((hls::normalise<Config, 2, hls::intensity_kind>), gains, stored,
-                    run.take(pixels, replayed), run.take(pixels, sum), full(w), full(h));
+                    run.take(2 * pixels, sum), full(w), full(h));
       run.run();
       EXPECT_EQ(statistics, want_statistics);
       EXPECT_EQ(other_gains, want_other_gains);
       EXPECT_EQ(other_gains_2, want_other_gains);
-      EXPECT_EQ(replayed, (lanes<std::uint32_t, point::intensity_feature, 2>({&maps[0], &maps[1]})));
+      EXPECT_EQ(maps_out, (lanes<std::uint32_t, point::intensity_feature, 2>({&maps[0], &maps[1]})));
       for (std::size_t i = 0; i < pixels; ++i) {
         ASSERT_EQ(sum[i], raw<point::intensity_conspicuity_sum>(want.samples()[i])) << i;
+        ASSERT_EQ(sum[pixels + i], sum[i]) << i;
       }
     }
   }

@@ -17,6 +17,11 @@ class stream {
     words_.pop_front();
     return word;
   }
+  bool read_nb(T& word) {
+    if (words_.empty()) return false;
+    word = read();
+    return true;
+  }
   void write(const T& word) { words_.push_back(word); }
   std::size_t size() const { return words_.size(); }
 

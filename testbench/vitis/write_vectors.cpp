@@ -21,6 +21,7 @@
 #include "csim/expected_signature.hpp"
 #include "csim/frames.hpp"
 #include "ppm.hpp"
+#include "sailmap/hls/kinds.hpp"
 #include "sailmap/hls/memory_registers.h"
 
 namespace sailmap::testing {
@@ -166,7 +167,7 @@ void across_scales(Call& call, const csim::Frame& /*frame*/, const Stages& stage
   call.words("out", wide_pair<point::colour_sum>(stages.sums[0], stages.sums[1]));
 }
 
-// A bit for each of `count` maps from `first` on.
+// A bit for each of `count` maps from `first` on, and those of the first pixel and of the last but one.
 std::vector<std::uint8_t> local_maximum_flags(const Planes& maps, std::size_t first, std::size_t count) {
   std::vector<std::uint8_t> flags;
   for (int y = 0; y < maps[0].height(); ++y) {
@@ -178,7 +179,17 @@ std::vector<std::uint8_t> local_maximum_flags(const Planes& maps, std::size_t fi
       flags.push_back(static_cast<std::uint8_t>(word));
     }
   }
+  flags.front() = static_cast<std::uint8_t>(flags.front() | hls::start_of_frame);
+  auto& last = flags[flags.size() - 2];
+  last = static_cast<std::uint8_t>(last | hls::last_but_one);
   return flags;
+}
+
+template <class Word>
+std::vector<Word> twice(std::vector<Word> words) {
+  const std::vector<Word> once = words;
+  words.insert(words.end(), once.begin(), once.end());
+  return words;
 }
 
 void local_maxima(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
@@ -208,7 +219,21 @@ void store(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
   call.words("in", four<point::colour_feature>(stages.features));
   call.words("in_flags", local_maximum_flags(stages.sums, 0, 4));
   call.words("statistics", statistics_words(stages));
-  call.words("out", four<point::colour_feature>(stages.features));
+  call.words("maps_out", four<point::colour_feature>(stages.features));
+  call.words("out", twice(four<point::colour_feature>(stages.features)));
+}
+
+// Three of the colour maps stand for the conspicuity maps: their flags are of the same sort.
+void peaks(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
+  const Planes& maps = stages.features;
+  const auto words = lanes<std::uint64_t, point::colour_feature, 3>({&maps[0], &maps[1], &maps[2]});
+  std::vector<std::uint32_t> statistics = statistics_words(stages);
+  statistics.resize(6);
+  call.words("in", twice(words));
+  call.words("in_flags", twice(local_maximum_flags(stages.sums, 0, 3)));
+  call.words("statistics", statistics);
+  call.words("maps_out", words);
+  call.words("out", words);
 }
 
 // Mantissa and shift of each map's gain: (raw * mantissa * 16) >> shift is the raw normalised value.
@@ -253,9 +278,8 @@ void normalise(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
   }
   const Plane<double> sum = ref::sum_of<Quantised, point::colour_conspicuity_sum>(normalised);
   call.words("gains", gain_words(stages));
-  call.words("maps", four<point::colour_feature>(stages.features));
-  call.words("maps_out", four<point::colour_feature>(stages.features));
-  call.words("sum_out", raw_words<point::colour_conspicuity_sum>(sum));
+  call.words("maps", twice(four<point::colour_feature>(stages.features)));
+  call.words("sum_out", twice(raw_words<point::colour_conspicuity_sum>(sum)));
 }
 
 void map_words(Call& call, const csim::FrontEndWords& words) {
@@ -338,6 +362,7 @@ const std::map<std::string, StageWriter> stage_writers = {{"sailmap_channels", c
                                                           {"sailmap_local_maxima", local_maxima},
                                                           {"sailmap_join_pairs", join_pairs},
                                                           {"sailmap_store", store},
+                                                          {"sailmap_peaks", peaks},
                                                           {"sailmap_gains", gains},
                                                           {"sailmap_normalise", normalise},
                                                           {"sailmap_signature", signature}};

@@ -52,19 +52,27 @@ void take_turns(stream<lanes_t<Count> >& in, stream<uint8_t>& in_flags, stream<u
 
 template <class Config, int Count, int Kind, int Bank>
 void store_in_turn(stream<uint8_t>& turn, stream<lanes_t<Count> >& in, stream<uint8_t>& in_flags,
-                   stream<uint32_t>& statistics, stream<lanes_t<Count> >& out, uint16_t width,
-                   uint16_t height) {
-  if (turn.read() == Bank) store<Config, Count, Kind, Bank>(in, in_flags, statistics, out, width, height);
+                   stream<uint32_t>& statistics, stream<lanes_t<Count> >& maps_out,
+                   stream<lanes_t<Count> >& out, uint16_t width, uint16_t height) {
+  if (turn.read() == Bank)
+    store<Config, Count, Kind, Bank>(in, in_flags, statistics, maps_out, out, width, height);
 }
 
 // One store's frame handed on.
 template <class Config, int Count, int Kind>
-SAILMAP_INLINED void hand_on(stream<uint32_t>& statistics_in, stream<lanes_t<Count> >& in,
-                             stream<uint32_t>& statistics, stream<lanes_t<Count> >& out, int pixels) {
+SAILMAP_INLINED void hand_on(stream<uint32_t>& statistics_in, stream<lanes_t<Count> >& maps_in,
+                             stream<lanes_t<Count> >& in, stream<uint32_t>& statistics,
+                             stream<lanes_t<Count> >& maps_out, stream<lanes_t<Count> >& out, int pixels) {
 #pragma nounroll
   for (int i = Kind; i < 2 * Count + Kind; ++i) statistics.write(statistics_in.read());
 #pragma nounroll
   for (int i = Kind; i < pixels + Kind; ++i) {
+    SAILMAP_PIPELINE
+    maps_out.write(maps_in.read());
+    out.write(in.read());
+  }
+#pragma nounroll
+  for (int i = Kind; i < (passes - 1) * pixels + Kind; ++i) {
     SAILMAP_PIPELINE
     out.write(in.read());
   }
@@ -73,16 +81,17 @@ SAILMAP_INLINED void hand_on(stream<uint32_t>& statistics_in, stream<lanes_t<Cou
 // Each store has loops of its own: of reads of either stream under a condition Bambu's compiler makes reads
 // of one of them.
 template <class Config, int Count, int Kind>
-void collect_turns(stream<uint8_t>& turn, stream<uint32_t>& statistics_a, stream<lanes_t<Count> >& in_a,
-                   stream<uint32_t>& statistics_b, stream<lanes_t<Count> >& in_b,
-                   stream<uint32_t>& statistics, stream<lanes_t<Count> >& out, uint16_t width,
-                   uint16_t height) {
+void collect_turns(stream<uint8_t>& turn, stream<uint32_t>& statistics_a, stream<lanes_t<Count> >& maps_a,
+                   stream<lanes_t<Count> >& in_a, stream<uint32_t>& statistics_b,
+                   stream<lanes_t<Count> >& maps_b, stream<lanes_t<Count> >& in_b,
+                   stream<uint32_t>& statistics, stream<lanes_t<Count> >& maps_out,
+                   stream<lanes_t<Count> >& out, uint16_t width, uint16_t height) {
   const int pixels =
       Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
   if (turn.read() == 0) {
-    hand_on<Config, Count, Kind>(statistics_a, in_a, statistics, out, pixels);
+    hand_on<Config, Count, Kind>(statistics_a, maps_a, in_a, statistics, maps_out, out, pixels);
   } else {
-    hand_on<Config, Count, Kind>(statistics_b, in_b, statistics, out, pixels);
+    hand_on<Config, Count, Kind>(statistics_b, maps_b, in_b, statistics, maps_out, out, pixels);
   }
 }
 

@@ -10,8 +10,8 @@
 //   saliency          S; raw
 //   statistics        26 words: maximum and m of the ten feature maps, then of C_I, C_C, C_O
 // A reader that takes one stream after the other may stop the network: read the six side by side, or first
-// statistics and feature maps side by side. Latency: the frame, twice its replay (three with double buffering
-// the same), and the rows that sum_lag_rows(2) names. II: predicted_cycles() in throughput.hpp.
+// statistics and feature maps side by side. Latency: the frame, the rows that sum_lag_rows(2) names, a count
+// and two replays of the feature maps. Cycles from frame to frame: throughput.hpp.
 //
 // The region is put together from parts that are the same for every tool (region/*.inc, in the order of their
 // numbers): a stage call must stand in the region itself, where no tool has to look through templates or
@@ -28,6 +28,7 @@
 #include "sailmap/hls/join_pairs.hpp"
 #include "sailmap/hls/local_maxima.hpp"
 #include "sailmap/hls/normalise.hpp"
+#include "sailmap/hls/peaks.hpp"
 #include "sailmap/hls/reduce_lanes.hpp"
 #include "sailmap/hls/reduce_pixels.hpp"
 #include "sailmap/hls/saliency.hpp"

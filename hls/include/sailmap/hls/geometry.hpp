@@ -43,6 +43,9 @@ constexpr int base_side(int n) { return level_side(n, base_level); }
 // Pixels of the base level to one of level `level`.
 constexpr int area_ratio(int level) { return 1 << (2 * (level - base_level)); }
 
+// The most local maxima of a map: of a square of two by two pixels one at most is one.
+constexpr int most_maxima(int width, int height) { return half(width) * half(height); }
+
 // The ones of the shortest binary number that n, up to 2^16 - 1, fits in.
 constexpr int ones(int n) {
   int bits = 1;

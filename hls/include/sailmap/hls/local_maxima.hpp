@@ -2,9 +2,10 @@
 // other four; outside the image counts as -infinity.
 //
 // Streams, base level, a pair of maps a word, raster order. In: the exact sums, wider than 16 bits. Out: the
-// maps rounded to the 16 bits in which they are stored and leave the front end, and a word of flags a pixel,
-// bit l for lane l. Latency: 1 row and 2 columns. II 1. The flags are exact; the rounding is that of the
-// points intensity_feature and so on. `Pair` says which maps they are.
+// maps rounded to the 16 bits in which they are stored and leave the front end, and a word of flags a pixel:
+// bit l for lane l, `start_of_frame`, `last_but_one`. The conspicuity maps come twice (peaks.hpp). Latency: 1
+// row and 2 columns. II 1. The flags are exact; the rounding is that of the points intensity_feature and so
+// on. `Pair` says which maps they are.
 #pragma once
 
 #include "sailmap/hls/arithmetic.hpp"
@@ -97,27 +98,30 @@ inline uint32_t stored_pair(uint64_t words) {
                                        : pack(feature(a), feature(b));
 }
 
-inline uint8_t maxima_flags(uint64_t words) {
+// The flags of a pair; `mark` among them where a store looks for it.
+template <int Pair>
+inline uint8_t marked(uint64_t words, uint8_t mark) {
   return static_cast<uint8_t>(((wide_lane<0>(words) & holds) != 0 ? 1 : 0) |
-                              ((wide_lane<1>(words) & holds) != 0 ? 2 : 0));
+                              ((wide_lane<1>(words) & holds) != 0 ? 2 : 0) | (marks_frames(Pair) ? mark : 0));
 }
 
 // One loop, in which rows run on into each other, from the first pixel to the last one out: reading starts a
 // row and two pixels before writing. All that a turn writes is there when it begins, so that it need not wait
 // for what it reads. Behind the last row come zeros, which no pixel is less than.
 template <class Config, int Pair>
-void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& flags, uint16_t width,
-                  uint16_t height) {
+SAILMAP_INLINED void local_maxima_of_pass(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& flags,
+                                          int w, int h) {
   uint64_t* const row = MaximaRow<Config, Pair>::words;
   constexpr int behind = 2;
-  const int w = Config::columns(width, geometry::base_level);
-  const int h = Config::rows(height, geometry::base_level);
   const int end_of_reading = w * h;
   const int start_of_writing = w + behind;
   uint64_t left = 0;
   uint64_t above_left = 0;
   uint64_t above = 0;
   uint64_t done = 0;
+  // Of the first pixel out; and when nothing is read any more, of the one before the last: the second time
+  // that x is 0.
+  uint8_t mark = start_of_frame;
   int x = 0;
 #pragma nounroll
   for (int i = 0; i < end_of_reading + start_of_writing; ++i) {
@@ -128,12 +132,14 @@ void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& 
     if (reads && writes) {
       out.write(stored_pair<Pair>(done));
       newest = in.read();
-      flags.write(maxima_flags(done));
+      flags.write(marked<Pair>(done, mark));
+      mark = 0;
     } else if (reads) {
       newest = in.read();
     } else {
       out.write(stored_pair<Pair>(done));
-      flags.write(maxima_flags(done));
+      flags.write(marked<Pair>(done, x == 0 ? mark : 0));
+      mark = last_but_one;
     }
     newest = narrow_pair<maxima_sum_bits>(newest);
     const MaximaEdges at = {x == 0, x + 1 == w, i < w};
@@ -147,6 +153,17 @@ void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& 
     above = wide_pair(a.above_right, b.above_right);
     left = wide_pair(a.newest, b.newest);
     x = at.last_column ? 0 : x + 1;
+  }
+}
+
+template <class Config, int Pair>
+void local_maxima(stream<uint64_t>& in, stream<uint32_t>& out, stream<uint8_t>& flags, uint16_t width,
+                  uint16_t height) {
+  const int w = Config::columns(width, geometry::base_level);
+  const int h = Config::rows(height, geometry::base_level);
+#pragma nounroll
+  for (int pass = 0; pass < passes_of_pair(Pair); ++pass) {
+    local_maxima_of_pass<Config, Pair>(in, out, flags, w, h);
   }
 }
 

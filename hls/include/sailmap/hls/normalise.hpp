@@ -3,12 +3,12 @@
 //
 // Stages `gains_of_features` and `gains_of_conspicuity`: for each map, maximum and m in; the same, and the
 // gain 1/(maximum sqrt(m)) as mantissa and shift, out. Once a frame, some 100 cycles a map. Stage
-// `normalise`: gains, then the maps as Count lanes in; the maps unchanged, and the sum of the normalised
-// lanes out. Base level, raster order. Formats: normalised and its exact sum (intensity_conspicuity_sum and
-// so on), or normalised_conspicuity and saliency; one multiplication a pixel and lane. Latency 0. II 1.
-// `Kind` tells the instances apart: their loops count from it, since Bambu makes one of two functions with
-// the same body and then misses the other. Maximum errors against the exact maps: accuracy::conspicuity_share
-// and accuracy::saliency_share of the largest value.
+// `normalise`: gains, then the maps as Count lanes in, feature maps twice; the sum of the normalised lanes
+// out. Base level, raster order. Formats: normalised and its exact sum (intensity_conspicuity_sum and so on),
+// or normalised_conspicuity and saliency; one multiplication a pixel and lane. Latency 0. II 1. `Kind` tells
+// the instances apart: their loops count from it, since Bambu makes one of two functions with the same body
+// and then misses the other. Maximum errors against the exact maps: accuracy::conspicuity_share and
+// accuracy::saliency_share of the largest value.
 #pragma once
 
 #include "sailmap/hls/arithmetic.hpp"
@@ -140,10 +140,10 @@ struct LaneGains<0> {
 };
 
 template <class Config, int Count, int Kind>
-void normalise(stream<uint32_t>& gains_in, stream<lanes_t<Count> >& maps, stream<lanes_t<Count> >& maps_out,
+void normalise(stream<uint32_t>& gains_in, stream<lanes_t<Count> >& maps,
                stream<typename NormalisedSum<Kind>::word>& sum_out, uint16_t width, uint16_t height) {
-  const int pixels =
-      Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
+  const int pixels = (Kind == conspicuity_kind ? 1 : passes) * Config::columns(width, geometry::base_level) *
+                     Config::rows(height, geometry::base_level);
   LaneGains<Count> lanes = LaneGains<Count>();
   lanes.clear();
 #pragma nounroll
@@ -152,9 +152,7 @@ void normalise(stream<uint32_t>& gains_in, stream<lanes_t<Count> >& maps, stream
   for (int i = Kind; i < pixels + Kind; ++i) {
     SAILMAP_PIPELINE
     const lanes_t<Count> word = maps.read();
-    const uint32_t sum = lanes.sum(word);
-    maps_out.write(word);
-    sum_out.write(NormalisedSum<Kind>::of(sum));
+    sum_out.write(NormalisedSum<Kind>::of(lanes.sum(word)));
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sailmap/hls/geometry.hpp"
+#include "sailmap/hls/kinds.hpp"
 #include "sailmap/hls/lanes.hpp"
 #include "sailmap/hls/pragmas.hpp"
 #include "sailmap/hls/stream.hpp"
@@ -9,14 +10,14 @@
 namespace sailmap {
 namespace hls {
 
-// The exact sums of C_I, C_C and C_O of a pixel as pairs, the second C_O and 0. Base level, raster order;
-// latency 0, II 1, exact.
+// The exact sums of C_I, C_C and C_O of a pixel as pairs, the second C_O and 0. Base level, raster order,
+// twice; latency 0, II 1, exact.
 template <class Config>
 void pair_conspicuities(stream<uint32_t>& intensity, stream<uint32_t>& colour, stream<uint32_t>& orientation,
                         stream<uint64_t>& intensity_colour, stream<uint64_t>& orientation_alone,
                         uint16_t width, uint16_t height) {
   const int pixels =
-      Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
+      passes * Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
 #pragma nounroll
   for (int i = 0; i < pixels; ++i) {
     SAILMAP_PIPELINE

@@ -64,9 +64,19 @@ constexpr long base_level(int w, int h) {
                 longer(across_scales(w, h, 2), reduce_pixels(w, h, 2)));
 }
 
-// A store fills at the pace of its input, then counts and replays. Two that take turns share the frames.
+// Conspicuity is computed in two passes, and between them the local maxima are counted, at most as many as
+// there are.
+constexpr long two_passes(int w, int h) {
+  return 2 * base_pixels(w, h) + geometry::most_maxima(geometry::base_side(w), geometry::base_side(h));
+}
+
+// A store fills at the pace of its input, counts, and replays twice, the second time while it fills again.
+// Two that take turns share the frames, and what comes behind them.
 constexpr long store(int w, int h, long fill, bool double_buffer) {
-  return double_buffer ? longer(fill, (fill + 2 * base_pixels(w, h) + 1) / 2) : fill + 2 * base_pixels(w, h);
+  const long again = two_passes(w, h) - base_pixels(w, h);
+  return double_buffer
+             ? longer(longer(fill, two_passes(w, h)), (longer(fill, again) + 2 * base_pixels(w, h) + 1) / 2)
+             : longer(fill, again) + 2 * base_pixels(w, h);
 }
 
 // Cycles from frame to frame.
@@ -75,10 +85,11 @@ constexpr long frame(int w, int h, int beat, bool double_buffer) {
 }
 
 // Cycles from a frame's first pixel in to its last saliency out: the frame, the rows that the coarser levels
-// lag behind, and two stores counted and replayed, the second filling while the first replays.
+// lag behind, the count, and the two passes.
 constexpr long latency(int w, int h, int beat) {
   return longer(longer(input(w, h, beat), to_base(w, h, beat)), base_level(w, h)) +
-         cycles(geometry::base_side(w), sum_lag_rows(geometry::base_level)) + 4 * base_pixels(w, h);
+         cycles(geometry::base_side(w), sum_lag_rows(geometry::base_level)) + base_pixels(w, h) +
+         two_passes(w, h);
 }
 
 // --- The signature, of so many regions: after the frame's last saliency ---
@@ -97,10 +108,10 @@ constexpr long signature_after_frame(int w, int h, int regions, int side) {
 }
 
 // From frame to frame where a signature of 20 regions follows the front end: it is busy from the feature
-// maps' replay on, through the count and the replay of conspicuity, to its record.
+// maps on, through both passes, to its record.
 constexpr long frame_with_signature(int w, int h, int beat, bool double_buffer, int side) {
   return longer(frame(w, h, beat, double_buffer),
-                3 * base_pixels(w, h) + signature_after_frame(w, h, signature_record::max_regions, side));
+                two_passes(w, h) + signature_after_frame(w, h, signature_record::max_regions, side));
 }
 
 }  // namespace throughput

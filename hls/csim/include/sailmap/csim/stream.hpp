@@ -44,6 +44,11 @@ class Fifo {
     if (reader_ == nullptr || owner_->running() != reader_) bind(reader_, "reader");
     while (count_ == 0) wait();
   }
+  // Whether the running task, the only reader, may read one word without waiting.
+  bool may_read() {
+    if (reader_ == nullptr || owner_->running() != reader_) bind(reader_, "reader");
+    return count_ != 0;
+  }
   void after_read() {
     --count_;
     wake_waiting();
@@ -93,13 +98,23 @@ class Stream : public Fifo {
 
   T read() {
     before_read();
+    return take();
+  }
+
+  bool try_read(T& word) {
+    if (!may_read()) return false;
+    word = take();
+    return true;
+  }
+
+ private:
+  T take() {
     const T word = words_[get_];
     if (++get_ == depth()) get_ = 0;
     after_read();
     return word;
   }
 
- private:
   void prepare(std::size_t depth) override {
     words_.assign(depth, T{});
     put_ = 0;
