@@ -93,4 +93,12 @@ inline csim::FrontEndWords expected(const csim::Frame& frame) {
   return words_of(ref::compute<ref::Quantised>(view(frame)));
 }
 
+// The words of a frame in both passes (kinds.hpp).
+template <class Word>
+std::vector<Word> twice(std::vector<Word> words) {
+  const std::vector<Word> once = words;
+  words.insert(words.end(), once.begin(), once.end());
+  return words;
+}
+
 }  // namespace sailmap::testing

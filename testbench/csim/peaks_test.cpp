@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "expected.hpp"
 #include "sailmap/hls/config.hpp"
 #include "stage_run.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 
 using Config = hls::Config<256, 256, 1>;
 
-constexpr int lanes = 3;
+constexpr int maps_in_all = hls::geometry::conspicuity_maps;
 
 // Three maps of the base level as the stage gets them, once.
 struct Maps {
@@ -36,7 +37,7 @@ struct Maps {
 
   [[nodiscard]] std::vector<std::uint32_t> statistics() const {
     std::vector<std::uint32_t> out;
-    for (int lane = 0; lane < lanes; ++lane) {
+    for (int lane = 0; lane < maps_in_all; ++lane) {
       std::uint32_t maximum = 0;
       for (std::size_t i = 0; i < words.size(); ++i) maximum = std::max(maximum, value(i, lane));
       std::uint32_t maxima = 0;
@@ -48,20 +49,13 @@ struct Maps {
   }
 };
 
-template <class Word>
-std::vector<Word> twice(std::vector<Word> words) {
-  const std::vector<Word> once = words;
-  words.insert(words.end(), once.begin(), once.end());
-  return words;
-}
-
 void expect_found(const Maps& maps) {
   StageRun run;
   std::vector<std::uint32_t> statistics;
   std::vector<std::uint64_t> maps_out;
   std::vector<std::uint64_t> out;
   SAILMAP_STAGE((hls::peaks<Config>), run.feed(twice(maps.words)), run.feed(twice(maps.flags)),
-                run.take(2 * lanes, statistics), run.take(maps.words.size(), maps_out),
+                run.take(2 * maps_in_all, statistics), run.take(maps.words.size(), maps_out),
                 run.take(maps.words.size(), out), static_cast<std::uint16_t>(4 * maps.width),
                 static_cast<std::uint16_t>(4 * maps.height));
   run.run();
@@ -74,7 +68,7 @@ void expect_found(const Maps& maps) {
 Maps most_maxima(int w, int h, std::uint32_t largest, std::mt19937& random) {
   Maps maps(w, h);
   for (std::size_t i = 0; i < maps.words.size(); ++i) {
-    for (int lane = 0; lane < lanes; ++lane)
+    for (int lane = 0; lane < maps_in_all; ++lane)
       maps.words[i] |= std::uint64_t{random() % (largest + 1)} << (16 * lane);
     const auto x = static_cast<int>(i) % w;
     const auto y = static_cast<int>(i) / w;

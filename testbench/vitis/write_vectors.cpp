@@ -185,13 +185,6 @@ std::vector<std::uint8_t> local_maximum_flags(const Planes& maps, std::size_t fi
   return flags;
 }
 
-template <class Word>
-std::vector<Word> twice(std::vector<Word> words) {
-  const std::vector<Word> once = words;
-  words.insert(words.end(), once.begin(), once.end());
-  return words;
-}
-
 void local_maxima(Call& call, const csim::Frame& /*frame*/, const Stages& stages) {
   call.words("in", wide_pair<point::colour_sum>(stages.sums[0], stages.sums[1]));
   call.words("out",

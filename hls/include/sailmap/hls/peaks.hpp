@@ -68,9 +68,9 @@ void peaks(stream<uint64_t>& in, stream<uint8_t>& in_flags, stream<uint32_t>& st
            stream<uint64_t>& maps_out, stream<uint64_t>& out, uint16_t width, uint16_t height) {
   const int pixels =
       Config::columns(width, geometry::base_level) * Config::rows(height, geometry::base_level);
-  Peaks<Config, 0> intensity;
-  Peaks<Config, 1> colour;
-  Peaks<Config, 2> orientation;
+  Peaks<Config, 0> intensity = Peaks<Config, 0>();
+  Peaks<Config, 1> colour = Peaks<Config, 1>();
+  Peaks<Config, 2> orientation = Peaks<Config, 2>();
   intensity.clear();
   colour.clear();
   orientation.clear();
