@@ -40,11 +40,6 @@ struct Peaks {
   uint32_t listed;
   uint32_t maxima;
 
-  void clear() {
-    maximum = 0;
-    listed = 0;
-    maxima = 0;
-  }
   void take(uint16_t value, bool is_maximum) {
     if (value > maximum) maximum = value;
     List::values[listed] = value;
@@ -71,9 +66,6 @@ void peaks(stream<uint64_t>& in, stream<uint8_t>& in_flags, stream<uint32_t>& st
   Peaks<Config, 0> intensity = Peaks<Config, 0>();
   Peaks<Config, 1> colour = Peaks<Config, 1>();
   Peaks<Config, 2> orientation = Peaks<Config, 2>();
-  intensity.clear();
-  colour.clear();
-  orientation.clear();
 #pragma nounroll
   for (int pass = 0; pass < passes; ++pass) {
 #pragma nounroll
