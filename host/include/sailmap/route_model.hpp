@@ -24,11 +24,12 @@ class RouteModel {
     std::vector<float> followed;
     double expected = 1;  // likelihood of the image under the forecast, relative to no forecast
     double on_map = 1;    // how much of the forecast is on the map, where paths do not break off, 0 .. 1
+    double attested = 0;  // how much of it comes from paths along which an image showed its place, 0 .. 1
   };
 
   // The next image: likelihoods of mean 1 over the `admissible` candidates, which come in the order of
-  // travel; 0 for the others.
-  Estimate advance(std::span<const float> likelihoods, int admissible);
+  // travel; 0 for the others. `shown`: how sure it is by this image alone that it shows any of them, 0 .. 1.
+  Estimate advance(std::span<const float> likelihoods, int admissible, double shown);
 
   // Nothing is known of where the camera is; what was learned stays.
   void lose();
@@ -53,10 +54,13 @@ class RouteModel {
   [[nodiscard]] Steps explained_by(const Steps& probabilities, std::span<const float> likelihoods) const;
   void learn(const Steps& explained, double went_on);
   void judge_order(double expected);
+  [[nodiscard]] double attested(const Forecast& ahead, std::span<const float> likelihoods) const;
 
   double keep_steps_, keep_breaks_, change_of_order_;
   // Posterior of the last image: paths in either direction, and those that begin there.
   std::vector<float> forward_, backward_, fresh_;
+  // Part of the paths, and of those that begin, along which an image showed its place.
+  double attested_paths_ = 0, attested_fresh_ = 0;
   Steps step_counts_{};
   double breaks_ = 0, counted_ = 0;  // decayed
   double order_;                     // probability that the images follow a route

@@ -140,6 +140,13 @@ void RouteModel::learn(const Steps& explained, double went_on) {
   counted_ = keep * counted_ + weight;
 }
 
+// Paths that are one image old are as much attested as that image showed its place.
+double RouteModel::attested(const Forecast& ahead, std::span<const float> likelihoods) const {
+  const double all = product(ahead.forward, likelihoods) + product(ahead.backward, likelihoods);
+  const double older = product(ahead.confirmed, likelihoods);
+  return all > 0 ? (attested_paths_ * older + attested_fresh_ * (all - older)) / all : 0;
+}
+
 // Whether images follow a route may change now and then, and returns to what is usual.
 void RouteModel::judge_order(double expected) {
   order_ =
@@ -147,7 +154,7 @@ void RouteModel::judge_order(double expected) {
   order_ = order_ * expected / (order_ * expected + 1 - order_);
 }
 
-RouteModel::Estimate RouteModel::advance(std::span<const float> likelihoods, int admissible) {
+RouteModel::Estimate RouteModel::advance(std::span<const float> likelihoods, int admissible, double shown) {
   const std::size_t count = likelihoods.size();
   const bool first = forward_.empty();
   const double breaks = first ? 1 : break_rate();
@@ -177,6 +184,9 @@ RouteModel::Estimate RouteModel::advance(std::span<const float> likelihoods, int
     // What runs off the map follows no route in it.
     judge_order(on_route + breaks);
   }
+  out.attested = attested(ahead, likelihoods);
+  attested_paths_ = out.attested + (1 - out.attested) * shown;
+  attested_fresh_ = shown;
   const auto on = static_cast<float>((1 - breaks) / out.expected);
   const auto begun = static_cast<float>(off_route * anywhere / out.expected);
   fresh_.resize(count);

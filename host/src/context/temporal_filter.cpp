@@ -27,9 +27,9 @@ constexpr double few_breaks = 0.04, many_breaks = 0.06;
 // is left of it spreads over the map.
 constexpr float least_followed = 0.2F;
 
-// The choice is the image's own where it is rather sure than not, and shows another place clearly less: a
-// route that ends or breaks off looks like its continuation for an image or two.
-constexpr float sure_odds = 1, clearly = 1.2F;
+// The choice is the image's own where it is rather sure than not: a route that ends or breaks off looks like
+// its continuation for an image or two.
+constexpr float sure_odds = 1;
 // Nor can a route lead to a place that the image all but excludes, being so much less likely than its best.
 constexpr float excluding = 1000;
 
@@ -45,13 +45,15 @@ TemporalConfig checked(const TemporalConfig& config) {
   return config;
 }
 
-// Puts places that the image clearly prefers another to behind that one.
+float best_odds(const ScoreEvidence::Row& row) { return *std::max_element(row.odds.begin(), row.odds.end()); }
+
+// Puts places behind the one that the image shows best: all where it is sure, else what it all but excludes.
 void keep_clear_choice(const ScoreEvidence::Row& row, std::vector<float>& scores) {
   const auto best =
       static_cast<std::size_t>(std::max_element(row.odds.begin(), row.odds.end()) - row.odds.begin());
   const float odds = row.odds[best];
   if (odds <= 0) return;
-  const float margin = odds >= sure_odds ? clearly : excluding;
+  const float margin = odds >= sure_odds ? 1 : excluding;
   const float behind = std::nextafter(scores[best], std::numeric_limits<float>::lowest());
   for (std::size_t c = 0; c < scores.size(); ++c) {
     if (c != best && row.admissible[c] && row.odds[c] * margin <= odds)
@@ -95,7 +97,8 @@ bool TemporalFilter::repeats(std::span<const float> scores) const {
 TemporalFilter::Support TemporalFilter::support(const ScoreEvidence::Row& row) {
   const double trust = route_.trust();
   const double breaks = route_.observed_breaks();
-  RouteModel::Estimate estimate = route_.advance(evidence_.likelihoods(row), row.count);
+  const float best = best_odds(row);
+  RouteModel::Estimate estimate = route_.advance(evidence_.likelihoods(row), row.count, std::min(best, 1.0F));
   Support out{std::move(estimate.prior), std::move(estimate.followed)};
   // A path that may have left the map says less of where it is in it.
   const double still_on = estimate.on_map * estimate.on_map;
@@ -103,12 +106,15 @@ TemporalFilter::Support TemporalFilter::support(const ScoreEvidence::Row& row) {
   const double unbroken = std::clamp((many_breaks - breaks) / (many_breaks - few_breaks), 0.0, 1.0);
   // Where the image contradicts the forecast, the path has probably just broken.
   const double held = std::min(1.0, estimate.expected * estimate.expected);
-  const auto believed = static_cast<float>(odds_of_missed * trust * unbroken * held);
+  // Nor is a place put forward behind the map's end, or when no image showed where the path is: images of
+  // what the map does not have follow some path through it, too.
+  const double leading = still_on * estimate.attested;
+  const auto believed = static_cast<float>(odds_of_missed * trust * unbroken * held * leading);
   for (std::size_t c = 0; c < row.odds.size(); ++c) {
     out.factors[c] = row.standing[c] > 0 ? std::max(least_factor, std::pow(out.factors[c], power)) : 1.0F;
     out.missed[c] = believed * odds_of_following(out.missed[c]);
   }
-  if (*std::max_element(row.odds.begin(), row.odds.end()) >= config_.telling_odds) {
+  if (best >= config_.telling_odds) {
     share_with_neighbours(row.standing, out.factors);
   }
   return out;

@@ -22,7 +22,7 @@ std::vector<float> seen_at(int place, float by = 20) {
 
 RouteModel::Estimate follow(RouteModel& model, int images, const std::function<int(int)>& place) {
   RouteModel::Estimate last;
-  for (int i = 0; i < images; ++i) last = model.advance(seen_at(place(i)), places);
+  for (int i = 0; i < images; ++i) last = model.advance(seen_at(place(i)), places, 0);
   return last;
 }
 
@@ -32,7 +32,7 @@ std::ptrdiff_t best(const std::vector<float>& values) {
 
 TEST(RouteModel, KnowsNothingBeforeTheFirstImage) {
   RouteModel model(10);
-  const RouteModel::Estimate first = model.advance(seen_at(7), places);
+  const RouteModel::Estimate first = model.advance(seen_at(7), places, 0);
   for (const float value : first.prior) EXPECT_EQ(value, 1);
   EXPECT_EQ(first.expected, 1);
   EXPECT_EQ(model.trust(), 0);
@@ -74,7 +74,7 @@ TEST(RouteModel, LearnsHowOftenARouteBreaks) {
 TEST(RouteModel, ABreakIsNotExpected) {
   RouteModel model(10);
   follow(model, 30, [](int i) { return i; });
-  const RouteModel::Estimate jump = model.advance(seen_at(55, 200), places);
+  const RouteModel::Estimate jump = model.advance(seen_at(55, 200), places, 0);
   EXPECT_LT(jump.expected, 0.7);
   EXPECT_LT(jump.prior[55], 0.2);
 }
@@ -85,10 +85,33 @@ TEST(RouteModel, APathThatRunsOffTheMapMayBeAnywhere) {
   EXPECT_LT(amid.prior[20], 0.3);
   EXPECT_GT(amid.on_map, 0.9);
   const double breaks = model.observed_breaks();
-  const RouteModel::Estimate beyond = model.advance(seen_at(20), places);
+  const RouteModel::Estimate beyond = model.advance(seen_at(20), places, 0);
   EXPECT_GT(beyond.prior[20], 0.7);
   EXPECT_LT(beyond.on_map, 0.5);
   EXPECT_LT(model.observed_breaks(), breaks + 0.02);  // hardly a break
+}
+
+TEST(RouteModel, APathIsAttestedOnceAnImageShowedItsPlaceAndUntilItLeavesTheMap) {
+  RouteModel model(10);
+  const auto at = [&](int place, double shown) {
+    return model.advance(seen_at(place), places, shown).attested;
+  };
+  for (int i = 30; i < 40; ++i) EXPECT_EQ(at(i, 0), 0) << i;
+  EXPECT_EQ(at(40, 1), 0);  // the images before
+  for (int i = 41; i < places; ++i) EXPECT_GT(at(i, 0), 0.8) << i;
+  EXPECT_LT(at(20, 0), 0.7);
+  EXPECT_LT(at(21, 0), 0.1);
+}
+
+TEST(RouteModel, HowSurelyAnImageShowsItsPlaceCounts) {
+  RouteModel model(10);
+  const auto at = [&](int place, double shown) {
+    return model.advance(seen_at(place), places, shown).attested;
+  };
+  for (int i = 0; i < 20; ++i) at(i, 0);
+  at(20, 0.5);
+  EXPECT_NEAR(at(21, 0.5), 0.5, 0.02);
+  EXPECT_NEAR(at(22, 0), 0.75, 0.03);
 }
 
 TEST(RouteModel, ALostPathIsForgottenButNotWhatWasLearned) {
@@ -97,7 +120,7 @@ TEST(RouteModel, ALostPathIsForgottenButNotWhatWasLearned) {
   const double trust = model.trust();
   model.lose();
   EXPECT_EQ(model.trust(), trust);
-  for (const float value : model.advance(seen_at(31), places).prior) EXPECT_EQ(value, 1);
+  for (const float value : model.advance(seen_at(31), places, 0).prior) EXPECT_EQ(value, 1);
 }
 
 }  // namespace

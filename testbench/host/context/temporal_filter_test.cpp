@@ -202,8 +202,7 @@ TEST(TemporalFilter, ASureImageKeepsItsChoiceAndAnUnsureOneDoesNot) {
   const auto shows = [](float elsewhere, float ahead) {
     return [=](int c) { return c == 5 ? elsewhere : (c == 40 ? ahead : 0.01F); };
   };
-  EXPECT_EQ(place_of(after_a_route(40, shows(0.55F, 0.49F))), 5);   // odds 1.22 and 0.96
-  EXPECT_EQ(place_of(after_a_route(40, shows(0.55F, 0.52F))), 40);  // not clearly less
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.55F, 0.54F))), 5);   // odds 1.22 and 1.17
   EXPECT_EQ(place_of(after_a_route(40, shows(0.48F, 0.40F))), 40);  // below odds of 1
 }
 
@@ -227,12 +226,35 @@ TEST(TemporalFilter, WhatIsLeftOfARouteThatEndedLeadsNowhere) {
   for (int after = 0; after < 4; ++after) EXPECT_EQ(place_of(shows(5 + after, 0.008F)), 5 + after);
 }
 
+TEST(TemporalFilter, ImagesOfNoPlaceInTheMapArePutNowhere) {
+  // A route along 40 .. 59, on behind the map's end, and then somewhere else: images that show next to
+  // nothing, but that in the order of another part of the map.
+  TemporalFilter filter({10, none, 0.3, 0.5});
+  std::vector<float> row(60);
+  const auto shows = [&](int place, float score) {
+    for (int c = 0; c < 60; ++c) row[static_cast<std::size_t>(c)] = c == place ? score : 1e-4F;
+    return filter.apply(row);
+  };
+  for (int q = 0; q < 60; ++q) shows(q, 0.8F);
+  for (int q = 0; q < 5; ++q) {
+    const std::vector<float> scores = shows(10 + q, 0.03F);
+    EXPECT_LT(*std::max_element(scores.begin(), scores.end()), 0.2F) << q;
+  }
+}
+
+TEST(TemporalFilter, APlaceThatImagesHardlyShowIsPutForwardAmidARouteAlone) {
+  const auto blank = [](int /*c*/) { return 0.01F; };
+  EXPECT_GT(after_a_route(40, blank)[40], 0.2F);
+  const auto last = [](int c) { return c == 59 ? 0.1F : 0.01F; };
+  EXPECT_LT(after_a_route(60, last)[59], 0.2F);
+}
+
 TEST(TemporalFilter, AnImageThatTellsPlacesApartChoosesAmongNeighbours) {
   // The route goes on at 40; 39 and 41 show a little more or less than it.
   const auto shows = [](float best) {
     return [=](int c) { return c == 41 ? best : (c == 40 ? 0.95F * best : 0.01F); };
   };
-  EXPECT_EQ(place_of(after_a_route(40, shows(0.55F))), 41);
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.45F))), 41);
   EXPECT_EQ(place_of(after_a_route(40, shows(0.25F))), 40);
 }
 
