@@ -98,7 +98,8 @@ TemporalFilter::Support TemporalFilter::support(const ScoreEvidence::Row& row) {
   const double trust = route_.trust();
   const double breaks = route_.observed_breaks();
   const float best = best_odds(row);
-  RouteModel::Estimate estimate = route_.advance(evidence_.likelihoods(row), row.count, std::min(best, 1.0F));
+  const double shown = std::min(best, 1.0F);
+  RouteModel::Estimate estimate = route_.advance(evidence_.likelihoods(row), row.count, shown * shown);
   Support out{std::move(estimate.prior), std::move(estimate.followed)};
   // A path that may have left the map says less of where it is in it.
   const double still_on = estimate.on_map * estimate.on_map;
@@ -108,7 +109,7 @@ TemporalFilter::Support TemporalFilter::support(const ScoreEvidence::Row& row) {
   const double held = std::min(1.0, estimate.expected * estimate.expected);
   // Nor is a place put forward behind the map's end, or when no image showed where the path is: images of
   // what the map does not have follow some path through it, too.
-  const double leading = still_on * estimate.attested;
+  const double leading = still_on * estimate.attested * estimate.attested;
   const auto believed = static_cast<float>(odds_of_missed * trust * unbroken * held * leading);
   for (std::size_t c = 0; c < row.odds.size(); ++c) {
     out.factors[c] = row.standing[c] > 0 ? std::max(least_factor, std::pow(out.factors[c], power)) : 1.0F;
