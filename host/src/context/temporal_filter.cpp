@@ -28,8 +28,9 @@ constexpr double few_breaks = 0.04, many_breaks = 0.06;
 constexpr float least_followed = 0.2F;
 
 // The choice is the image's own where it is rather sure than not: a route that ends or breaks off looks like
-// its continuation for an image or two.
-constexpr float sure_odds = 1;
+// its continuation for an image or two. Where it does not tell places apart, only if it shows the other one
+// clearly less.
+constexpr float sure_odds = 1, clearly = 1.2F;
 // Nor can a route lead to a place that the image all but excludes, being so much less likely than its best.
 constexpr float excluding = 1000;
 
@@ -47,13 +48,14 @@ TemporalConfig checked(const TemporalConfig& config) {
 
 float best_odds(const ScoreEvidence::Row& row) { return *std::max_element(row.odds.begin(), row.odds.end()); }
 
-// Puts places behind the one that the image shows best: all where it is sure, else what it all but excludes.
-void keep_clear_choice(const ScoreEvidence::Row& row, std::vector<float>& scores) {
+// Puts places behind the one that the image shows best: where it is sure, what it shows less, and else what
+// it all but excludes.
+void keep_choice(const ScoreEvidence::Row& row, double telling_odds, std::vector<float>& scores) {
   const auto best =
       static_cast<std::size_t>(std::max_element(row.odds.begin(), row.odds.end()) - row.odds.begin());
   const float odds = row.odds[best];
   if (odds <= 0) return;
-  const float margin = odds >= sure_odds ? 1 : excluding;
+  const float margin = odds < sure_odds ? excluding : (odds < telling_odds ? clearly : 1);
   const float behind = std::nextafter(scores[best], std::numeric_limits<float>::lowest());
   for (std::size_t c = 0; c < scores.size(); ++c) {
     if (c != best && row.admissible[c] && row.odds[c] * margin <= odds)
@@ -139,7 +141,7 @@ std::vector<float> TemporalFilter::apply(std::span<const float> scores) {
     // What does not change keeps its full precision.
     if (!std::isnan(out[c]) && change != 0) out[c] = evidence_.score(row.odds[c] + change);
   }
-  keep_clear_choice(row, out);
+  keep_choice(row, config_.telling_odds, out);
   return out;
 }
 
