@@ -182,8 +182,8 @@ TEST(TemporalFilter, TrustsSequencesOnlyWhereTheyForetell) {
 }
 
 // A route along the candidates, 0.5 the true one's score, until image `odd`, whose scores the test gives.
-std::vector<float> after_a_route(int odd, const std::function<float(int)>& score) {
-  TemporalFilter filter({10, none, 0.5, 0.5});
+std::vector<float> after_a_route(int odd, const std::function<float(int)>& score, double telling_odds = 0.5) {
+  TemporalFilter filter({10, none, 0.5, telling_odds});
   std::vector<float> row(60, 0.01F);
   for (int q = 0; q < odd; ++q) {
     std::fill(row.begin(), row.end(), 0.01F);
@@ -204,6 +204,9 @@ TEST(TemporalFilter, ASureImageKeepsItsChoiceAndAnUnsureOneDoesNot) {
   };
   EXPECT_EQ(place_of(after_a_route(40, shows(0.55F, 0.54F))), 5);   // odds 1.22 and 1.17
   EXPECT_EQ(place_of(after_a_route(40, shows(0.48F, 0.40F))), 40);  // below odds of 1
+  // Images that do not tell places apart are sure where they show another clearly less.
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.55F, 0.49F), none)), 5);  // odds 1.22 and 0.96
+  EXPECT_EQ(place_of(after_a_route(40, shows(0.55F, 0.52F), none)), 40);
 }
 
 TEST(TemporalFilter, ARouteLeadsNowhereThatTheImageAllButExcludes) {
