@@ -230,8 +230,8 @@ TEST(TemporalFilter, WhatIsLeftOfARouteThatEndedLeadsNowhere) {
 }
 
 TEST(TemporalFilter, ImagesOfNoPlaceInTheMapArePutNowhere) {
-  // A route along 40 .. 59, on behind the map's end, and then somewhere else: images that show next to
-  // nothing, but that in the order of another part of the map.
+  // A route along the map, and then somewhere else: images that show next to nothing, but that in the order
+  // of a part of the map.
   TemporalFilter filter({10, none, 0.3, 0.5});
   std::vector<float> row(60);
   const auto shows = [&](int place, float score) {
