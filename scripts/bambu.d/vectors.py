@@ -5,6 +5,7 @@ import subprocess
 from pathlib import Path
 
 from job import ROOT, Fault, checked
+from vector_writer import compilation
 
 # Crops of real images, one call after another; widths fit every beat. A kernel takes another size with each call; the
 # frames of a network overlap when they have one size.
@@ -55,10 +56,7 @@ class Vectors:
         self.folder, self.seconds = folder, seconds
         folder.mkdir(parents=True, exist_ok=True)
         self.writer = folder / "write_vectors"
-        includes = [f"-I{ROOT / path}" for path in ("hls/include", "hls/csim/include", "ref/include", "testbench")]
-        checked([os.environ.get("CXX", "g++"), "-std=c++20", "-O1", "-Wno-unknown-pragmas", *includes,
-                 ROOT / "testbench/vitis/write_vectors.cpp", "-o", self.writer], folder / "write_vectors.log", folder,
-                seconds)
+        checked(compilation(self.writer), folder / "write_vectors.log", folder, seconds)
 
     def write(self, job, name, images):
         path = self.folder / f"{job.folder.name}-{name}.txt"

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -10,6 +11,24 @@
 #include "sailmap/csim/frame.hpp"
 
 namespace sailmap::testing {
+
+// `count` neighbouring words of `bits` bits as one, the left one low.
+template <class Word, class Part>
+std::vector<Word> grouped(const std::vector<Part>& parts, std::size_t count, int bits) {
+  std::vector<Word> words(parts.size() / count);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::uint64_t shifted = std::uint64_t{parts[i]} << (bits * static_cast<int>(i % count));
+    words[i / count] = static_cast<Word>(words[i / count] | shifted);
+  }
+  return words;
+}
+
+// Red, green or blue bytes, `beat` a word.
+inline std::vector<std::uint64_t> bytes(const csim::Frame& frame, std::size_t component, std::size_t beat) {
+  std::vector<std::uint8_t> samples;
+  for (std::size_t i = component; i < frame.rgb.size(); i += 3) samples.push_back(frame.rgb[i]);
+  return grouped<std::uint64_t>(samples, beat, 8);
+}
 
 // Beats of AXI4-Stream video: {R, B, G} of each pixel from high to low byte, the left pixel low; in
 // hexadecimal.

@@ -14,6 +14,7 @@ SCRIPTS = ROOT / "scripts" / "vitis"
 sys.path[:0] = [str(SCRIPTS), str(ROOT / "testbench")]
 
 import tables  # noqa: E402
+import vector_writer  # noqa: E402
 from needs import skip_without  # noqa: E402
 
 # Keys of UG1399, "HLS Config File Commands", from 2023.2 to 2026.1.
@@ -186,6 +187,11 @@ class Run(WithFolder):
         result = call("run", step, top, "--folder", self.folder / "jobs", *more, PATH=str(self.folder / "bin"),
                       CXX=str(compiler))
         return result, log.read_text().splitlines() if log.exists() else []
+
+    def test_the_vector_writer_is_made_of_the_sources_that_are_tested_here(self):
+        cmake = (ROOT / "testbench" / "vitis" / "CMakeLists.txt").read_text()
+        target = re.search(r"add_executable\(vitis_write_vectors ([^)]*)\)", cmake)
+        self.assertEqual(target[1].split(), [f"{name}.cpp" for name in vector_writer.SOURCES])
 
     def test_without_a_tool(self):
         for tools in ([], ["v++"], ["vitis-run"]):
