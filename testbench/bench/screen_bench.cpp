@@ -109,7 +109,7 @@ Shares shares(const Images& images, const std::vector<index::Block>& blocks, con
     const double threshold = runner_up(query, images.nodes, config);
     screens.emplace_back(query, config).set_threshold(threshold);
     for (const index::Block& block : blocks)
-      out.passing += std::popcount(screens.back().passing(block).front());
+      out.passing += std::popcount(screens.back().passing(block));
     for (const Signature& node : images.nodes) {
       out.passing_exact += exact_bound(query, node, config) >= threshold ? 1 : 0;
       out.reaching += match(query, node, config).similarity >= threshold ? 1 : 0;

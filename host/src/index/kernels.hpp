@@ -15,7 +15,7 @@ inline constexpr std::uint16_t no_distance = UINT16_MAX;
 
 // See ScreenQuery::passing. `next` is fetched from memory meanwhile. `work` holds at least work_bytes(slots,
 // regions).
-Passing screen_block(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work);
+std::uint64_t screen_block(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work);
 std::size_t work_bytes(std::size_t slots, std::size_t regions);
 
 // See AgreementQuery::passing. `work` has a slot for each of the batch's, and a `nearest` for each region.

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <limits>
-#include <span>
 
 #include "agreement.hpp"
 #include "estimate.hpp"
@@ -22,8 +19,6 @@ using index::block_images;
 // Blocks screened before those that pass are looked at: enough that the memory reads of many overlap, and
 // few at first, when nothing is known yet and all pass.
 constexpr std::size_t most_blocks_at_once = 16;
-// Of those that waited; after each so many, some of the rest may no longer matter.
-constexpr std::size_t most_compared_at_once = 256;
 
 class Search {
  public:
@@ -52,15 +47,13 @@ class Search {
       for (std::size_t b = begin; b < end; ++b) {
         sift(entries, blocks[b], blocks[std::min(b + 1, blocks.size() - 1)], b * block_images);
       }
-      compare_all(promising_);
-      promising_.clear();
+      compare_all();
       raise_threshold();
       begin = end;
       at_once = std::min(2 * at_once, most_blocks_at_once);
     }
     keep_agreeing();
-    compare_all(promising_);
-    compare_deferred();
+    compare_all();
   }
 
   [[nodiscard]] Ranking ranking() const { return leaders_.ranking(nodes_); }
@@ -68,43 +61,33 @@ class Search {
  private:
   struct Promising {
     PlaceIndex::Entry entry;
-    double bound = 0;  // of the similarity
+    double bound = 0;  // of the similarity, once estimated
     const Signature* signature = nullptr;
   };
   static bool by_bound(const Promising& a, const Promising& b) { return a.bound > b.bound; }
 
   void raise_threshold() {
     const double threshold = leaders_.threshold();
-    if (threshold <= grade_bounds_.front()) return;
+    if (threshold <= asked_for_) return;
     screen_.set_threshold(threshold);
     agreement_.set_threshold(threshold);
-    double bound = threshold;
-    for (double& grade_bound : grade_bounds_) {
-      grade_bound = bound;
-      bound *= index::grade_ratio;
-    }
+    asked_for_ = threshold;
   }
 
   // What passes is looked at again, as soon as there are enough for that.
   void sift(const std::vector<PlaceIndex::Entry>& entries, const index::Block& block,
             const index::Block& next, std::size_t first) {
-    const bool known = grade_bounds_.front() > 0;  // what may be asked for
-    index::Passing passing;
-    passing.fill(~std::uint64_t{0});
-    if (known) passing = screen_.passing(block, next);
-    for (std::uint64_t left = passing.front(); left != 0; left &= left - 1) {
+    const bool known = asked_for_ > 0;
+    const std::uint64_t passing = known ? screen_.passing(block, next) : ~std::uint64_t{0};
+    for (std::uint64_t left = passing; left != 0; left &= left - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(left));
       const std::size_t e = first + lane;
       if (e >= entries.size() || entries[e].node >= nodes_) continue;
-      std::size_t grade = 1;
-      while (grade < index::grades && ((passing[grade] >> lane) & 1U) != 0) ++grade;
-      const double bound =
-          grade == index::grades ? std::numeric_limits<double>::infinity() : grade_bounds_[grade];
       if (!known || !agreement_.judges(block, lane)) {
-        keep({entries[e], bound});
+        promising_.push_back({entries[e]});
         continue;
       }
-      in_batch_[batch_.images] = {entries[e], bound};
+      in_batch_[batch_.images] = {entries[e]};
       batch_.add(block, lane);
       if (batch_.full()) keep_agreeing();
     }
@@ -114,14 +97,10 @@ class Search {
     if (batch_.images == 0) return;
     const std::uint32_t agreeing = agreement_.passing(batch_);
     for (std::uint32_t left = agreeing; left != 0; left &= left - 1) {
-      keep(in_batch_[static_cast<unsigned>(std::countr_zero(left))]);
+      promising_.push_back(in_batch_[static_cast<unsigned>(std::countr_zero(left))]);
     }
     batch_.clear();
   }
-
-  // Entries that may be far better than what is known are to be compared soon; others wait until all have
-  // been seen, when most of them no longer matter.
-  void keep(const Promising& p) { (std::isinf(p.bound) ? promising_ : deferred_).push_back(p); }
 
   void find_signature(Promising& p) {
     p.signature = &signature_of_(p.entry);
@@ -136,43 +115,26 @@ class Search {
   }
 
   // Signatures are asked for well before they are needed, as memory is slow.
-  void estimate_all(std::span<Promising> entries) {
+  void estimate_all() {
     constexpr std::size_t ahead = 8;
-    const std::size_t count = entries.size();
+    const std::size_t count = promising_.size();
     for (std::size_t step = 0; step < count + 2 * ahead; ++step) {
-      if (step < count) find_signature(entries[step]);
-      if (step >= ahead && step - ahead < count) fetch_regions(entries[step - ahead]);
+      if (step < count) find_signature(promising_[step]);
+      if (step >= ahead && step - ahead < count) fetch_regions(promising_[step - ahead]);
       if (step < 2 * ahead) continue;
-      Promising& p = entries[step - 2 * ahead];
+      Promising& p = promising_[step - 2 * ahead];
       p.bound = estimate_(*p.signature);
     }
   }
 
-  void compare_all(std::span<Promising> entries) {
-    estimate_all(entries);
-    std::sort(entries.begin(), entries.end(), by_bound);
-    for (const Promising& p : entries) {
+  void compare_all() {
+    estimate_all();
+    std::sort(promising_.begin(), promising_.end(), by_bound);
+    for (const Promising& p : promising_) {
       if (p.bound <= 0 || p.bound < leaders_.threshold()) break;
       leaders_.add({p.entry.node, match(query_, *p.signature, config_).similarity});
     }
-  }
-
-  // By falling grade, and those of a grade in the order they have in memory.
-  void compare_deferred() {
-    for (std::size_t grade = index::grades - 1; grade-- > 0;) {
-      const double least = grade_bounds_[grade];
-      for (std::size_t begin = 0; begin < deferred_.size();) {
-        promising_.clear();
-        const double enough = std::max(least, leaders_.threshold());
-        for (; begin < deferred_.size() && promising_.size() < most_compared_at_once; ++begin) {
-          Promising& p = deferred_[begin];
-          if (p.bound < enough) continue;
-          promising_.push_back(p);
-          p.bound = 0;
-        }
-        compare_all(promising_);
-      }
-    }
+    promising_.clear();
   }
 
   const Signature& query_;
@@ -186,8 +148,7 @@ class Search {
   index::Batch batch_;  // screened, and its entries
   std::array<Promising, index::batch_images> in_batch_;
   std::vector<Promising> promising_;
-  std::vector<Promising> deferred_;
-  std::array<double, index::grades> grade_bounds_{};
+  double asked_for_ = 0;  // the threshold of screening and agreement
 };
 
 }  // namespace

@@ -50,10 +50,10 @@ inline std::uint8_t least_bound(const Block& block, const ScreenQuery& query, co
   return static_cast<std::uint8_t>(std::clamp(code, 0.0F, 255.0F));
 }
 
-inline bool within_limits(const Block& block, const ScreenQuery& query, std::size_t lane, std::size_t grade) {
+inline bool within_limits(const Block& block, const ScreenQuery& query, std::size_t lane) {
   if (query.one_is_enough) {
     return std::any_of(query.regions.begin(), query.regions.end(), [&](const ScreenRegion& region) {
-      return least_distance(block, query, region, lane) <= region.squared_limits[grade];
+      return least_distance(block, query, region, lane) <= region.squared_limit;
     });
   }
   std::vector<int> bounds;
@@ -62,18 +62,15 @@ inline bool within_limits(const Block& block, const ScreenQuery& query, std::siz
   int sum = 0;
   for (std::size_t k = 0; k < bounds.size(); ++k) {
     sum = std::min(sum + bounds[k], 65535);
-    if (sum <= query.limits[k][grade]) return true;
+    if (sum <= query.limits[k]) return true;
   }
   return false;
 }
 
-inline Passing screen(const Block& block, const ScreenQuery& query) {
-  Passing passing{};
+inline std::uint64_t screen(const Block& block, const ScreenQuery& query) {
+  std::uint64_t passing = 0;
   for (std::size_t lane = 0; lane < block_images; ++lane) {
-    for (std::size_t grade = 0; grade < grades; ++grade) {
-      const bool within = within_limits(block, query, lane, grade);
-      passing[grade] |= static_cast<std::uint64_t>(within) << lane;
-    }
+    passing |= static_cast<std::uint64_t>(within_limits(block, query, lane)) << lane;
   }
   return passing;
 }

@@ -153,12 +153,8 @@ void ScreenQuery::set_threshold(double threshold) {
 void ScreenQuery::set_squared_limits(double threshold) {
   constexpr double most = no_distance;  // when nothing is known to be too far, not even what is not there
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    for (std::size_t grade = 0; grade < grades; ++grade) {
-      const double similarity = threshold * std::pow(grade_ratio, static_cast<double>(grade));
-      const double reach = (1 / similarity + errors_[i]) / step;
-      regions[i].squared_limits[grade] =
-          static_cast<std::uint16_t>(std::min(reach * reach * (1 + slack), most));
-    }
+    const double reach = (1 / threshold + errors_[i]) / step;
+    regions[i].squared_limit = static_cast<std::uint16_t>(std::min(reach * reach * (1 + slack), most));
   }
 }
 
@@ -171,17 +167,14 @@ void ScreenQuery::set_limits(double threshold) {
   for (std::size_t i = 0; i < regions.size(); ++i) {
     regions[i].error = static_cast<float>(errors_[i] * codes * (1 + slack));
   }
-  for (std::size_t grade = 0; grade < grades; ++grade) {
-    const double similarity = threshold * std::pow(grade_ratio, static_cast<double>(grade));
-    for (std::size_t k = 1; k <= limits.size(); ++k) {
-      const auto square = static_cast<double>(k * k);
-      const double most = square / static_cast<double>(limits.size()) / similarity * codes * (1 + slack);
-      limits[k - 1][grade] = static_cast<std::uint16_t>(std::min(most, 65535.0));
-    }
+  for (std::size_t k = 1; k <= limits.size(); ++k) {
+    const auto square = static_cast<double>(k * k);
+    const double most = square / static_cast<double>(limits.size()) / threshold * codes * (1 + slack);
+    limits[k - 1] = static_cast<std::uint16_t>(std::min(most, 65535.0));
   }
 }
 
-Passing ScreenQuery::passing(const Block& block, const Block& next) {
+std::uint64_t ScreenQuery::passing(const Block& block, const Block& next) {
   work_.resize(std::max(work_.size(), work_bytes(block.slots(), regions.size())));
   return screen_block(block, next, *this, work_.data());
 }

@@ -55,11 +55,6 @@ using SortingNetwork = std::vector<std::pair<std::uint16_t, std::uint16_t>>;
 // Pairs (i, j), i < j, whose comparisons in this order sort `size` numbers (Batcher's odd-even merge).
 SortingNetwork sorting_network(std::size_t size);
 
-inline constexpr std::size_t grades = 4;
-inline constexpr double grade_ratio = 1.12;
-// For each grade g a bit for each image whose similarity may reach threshold * grade_ratio^g.
-using Passing = std::array<std::uint64_t, grades>;
-
 // One region of the query, as the kernel wants it: in 16 bits, modulo 2^16 on the way. With a candidate's
 // code c about its zeros and the query's q in half steps, the squared distance is |c|^2 - q.c + |q|^2/4,
 // rounded down. With positions c and q about their zeros, half the squared offset is |c|^2/2 - q.c + |q|^2/2,
@@ -73,9 +68,8 @@ struct ScreenRegion {
   // among exact positions, and among others.
   std::array<std::int16_t, 2> position_limits{};
   float error = 0;  // of both codes, in distance codes
-  // Squared distances of candidates that reach the similarity of each grade by themselves (`paper`): these at
-  // most.
-  std::array<std::uint16_t, grades> squared_limits{};
+  // Squared distance of a candidate that reaches the threshold by itself (`paper`): this at most.
+  std::uint16_t squared_limit = 0;
   std::uint8_t first_column = 0;  // that may hold admissible candidates
   std::uint8_t last_column = 0;
 };
@@ -92,19 +86,20 @@ class ScreenQuery {
   // The query has at least one region and can_be_bounded.
   ScreenQuery(const Signature& query, const MatchConfig& config);
 
-  // From now on asks for similarities of at least `threshold` > 0, and of grades above it.
+  // From now on asks for similarities of at least `threshold` > 0.
   void set_threshold(double threshold);
 
-  [[nodiscard]] Passing passing(const Block& block) { return passing(block, block); }
+  // A bit for each image that may reach the threshold.
+  [[nodiscard]] std::uint64_t passing(const Block& block) { return passing(block, block); }
   // `next` will be asked about next: its codes are fetched from memory meanwhile.
-  [[nodiscard]] Passing passing(const Block& block, const Block& next);
+  [[nodiscard]] std::uint64_t passing(const Block& block, const Block& next);
 
   // For the kernel.
-  bool one_is_enough = false;         // of the least bounds: `squared_limits` instead of all below
+  bool one_is_enough = false;         // of the least bounds: `squared_limit` instead of all below
   std::vector<ScreenRegion> regions;  // by column
   bool exact_positions = true;        // of the query
   float scale = 0;                    // distance codes (0 .. 255) in a step
-  std::vector<std::array<std::uint16_t, grades>> limits;  // of S_k, k = 1, 2, ..., in distance codes
+  std::vector<std::uint16_t> limits;  // of S_k, k = 1, 2, ..., in distance codes
   SortingNetwork network;
 
  private:

@@ -17,7 +17,7 @@ namespace sailmap::index {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET == HWY_SCALAR
 
-Passing screen(const Block& block, const Block& /*next*/, const ScreenQuery& query, std::uint8_t* /*work*/) {
+std::uint64_t screen(const Block& block, const Block& /*next*/, const ScreenQuery& query, std::uint8_t* /*work*/) {
   return plain::screen(block, query);
 }
 
@@ -138,61 +138,46 @@ HWY_INLINE Least least_distances(const Block& block, const Slots& slots, const S
   return {a.least, b.least};
 }
 
-// Which images have a squared distance that keeps a limit of the region.
-HWY_INLINE void within_limits(DistanceVector least, const ScreenRegion& region, std::size_t lane,
-                              Passing& passing) {
+// A bit for each lane of 16 bits that is zero.
+template <class D>
+HWY_INLINE std::uint64_t zero_lanes(D d, hn::Vec<D> numbers) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, hn::Eq(numbers, hn::Zero(d)), bytes);
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < hn::Lanes(d); i += 8) bits |= static_cast<std::uint64_t>(bytes[i / 8]) << i;
+  return bits;
+}
+
+// Which images have a squared distance that keeps the limit of the region.
+HWY_INLINE std::uint64_t within_limit(DistanceVector least, const ScreenRegion& region) {
   const Distances d;
-  for (std::size_t grade = 0; grade < grades; ++grade) {
-    const auto excess = hn::SaturatedSub(least, hn::Set(d, region.squared_limits[grade]));
-    const auto within = hn::Eq(excess, hn::Zero(d));
-    if (hn::AllFalse(d, within)) break;  // the further limits are narrower
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d, within, bytes);
-    for (std::size_t i = 0; i < hn::Lanes(d); i += 8) {
-      passing[grade] |= static_cast<std::uint64_t>(bytes[i / 8]) << (lane + i);
-    }
-  }
+  return zero_lanes(d, hn::SaturatedSub(least, hn::Set(d, region.squared_limit)));
 }
 
 // Which images have a k for which the k smallest of their bounds (rows of `bounds`, sorted) keep the limit.
-HWY_INLINE void within_limits(const std::uint8_t* bounds, const ScreenQuery& query, std::size_t lane,
-                              Passing& passing) {
+HWY_INLINE std::uint64_t within_limits(const std::uint8_t* bounds, const ScreenQuery& query) {
   const Bytes d;
   const hn::RepartitionToWide<Bytes> d16;
   const hn::Half<Bytes> dh;
   using Sums = hn::Vec<decltype(d16)>;
   Sums low_sum = hn::Zero(d16);
   Sums high_sum = low_sum;
-  Sums low_excess[grades];
-  Sums high_excess[grades];
-  std::fill_n(low_excess, grades, hn::Set(d16, 0xFFFF));
-  std::fill_n(high_excess, grades, hn::Set(d16, 0xFFFF));
+  Sums low_excess = hn::Set(d16, 0xFFFF);
+  Sums high_excess = low_excess;
   for (std::size_t k = 0; k < query.limits.size(); ++k) {
-    const Vector bound = hn::LoadU(d, bounds + k * block_images + lane);
+    const Vector bound = hn::LoadU(d, bounds + k * block_images);
+    const Sums limit = hn::Set(d16, query.limits[k]);
     low_sum = hn::SaturatedAdd(low_sum, hn::PromoteTo(d16, hn::LowerHalf(dh, bound)));
     high_sum = hn::SaturatedAdd(high_sum, hn::PromoteTo(d16, hn::UpperHalf(dh, bound)));
-    for (std::size_t grade = 0; grade < grades; ++grade) {
-      const Sums limit = hn::Set(d16, query.limits[k][grade]);
-      low_excess[grade] = hn::Min(low_excess[grade], hn::SaturatedSub(low_sum, limit));
-      high_excess[grade] = hn::Min(high_excess[grade], hn::SaturatedSub(high_sum, limit));
-    }
+    low_excess = hn::Min(low_excess, hn::SaturatedSub(low_sum, limit));
+    high_excess = hn::Min(high_excess, hn::SaturatedSub(high_sum, limit));
   }
-  const auto bits_of = [&](Sums excess) HWY_ATTR {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(d16, hn::Eq(excess, hn::Zero(d16)), bytes);
-    std::uint64_t out = 0;
-    for (std::size_t i = 0; i < 4; ++i) out |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
-    return out;
-  };
-  for (std::size_t grade = 0; grade < grades; ++grade) {
-    passing[grade] |= bits_of(low_excess[grade]) << lane;
-    passing[grade] |= bits_of(high_excess[grade]) << (lane + hn::Lanes(d16));
-  }
+  return zero_lanes(d16, low_excess) | zero_lanes(d16, high_excess) << hn::Lanes(d16);
 }
 
 }  // namespace
 
-Passing screen(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work) {
+std::uint64_t screen(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work) {
   const Bytes d;
   const std::size_t regions = query.regions.size();
   std::uint8_t* bounds = work;
@@ -203,7 +188,7 @@ Passing screen(const Block& block, const Block& next, const ScreenQuery& query, 
   const std::uint8_t* wanted = next.codes.data();
   const std::uint8_t* wanted_end = wanted + next.codes.size();
   const bool exact = query.exact_positions && block.exact_positions;
-  Passing passing{};
+  std::uint64_t passing = 0;
   for (std::size_t group = 0; group < block_groups; ++group) {
     for (std::size_t i = 0; i < regions; i += 2) {
       const ScreenRegion& first = query.regions[i];
@@ -215,8 +200,7 @@ Passing screen(const Block& block, const Block& next, const ScreenQuery& query, 
       for (std::size_t lane = group * group_images; lane < end; lane += hn::Lanes(Pairs())) {
         const Least least = least_distances(block, slots, first, second, squares, exact, lane);
         if (query.one_is_enough) {
-          within_limits(least.first, first, lane, passing);
-          within_limits(least.second, second, lane, passing);
+          passing |= (within_limit(least.first, first) | within_limit(least.second, second)) << lane;
           continue;
         }
         std::uint8_t* out = bounds + i * block_images + lane;
@@ -233,7 +217,7 @@ Passing screen(const Block& block, const Block& next, const ScreenQuery& query, 
       hn::StoreU(hn::Min(a, b), d, bounds + i * block_images + lane);
       hn::StoreU(hn::Max(a, b), d, bounds + j * block_images + lane);
     }
-    within_limits(bounds, query, lane, passing);
+    passing |= within_limits(bounds + lane, query) << lane;
   }
   return passing;
 }
@@ -252,7 +236,7 @@ std::size_t work_bytes(std::size_t slots, std::size_t regions) {
   return (regions + 1 + 4 * slots) * block_images;
 }
 
-Passing screen_block(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work) {
+std::uint64_t screen_block(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work) {
   return HWY_DYNAMIC_DISPATCH(screen)(block, next, query, work);
 }
 
