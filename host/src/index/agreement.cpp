@@ -27,16 +27,13 @@ std::int16_t place_of(const RegionCode& code) {
 void Batch::add(const Block& block, std::size_t lane) {
   const auto count = static_cast<std::size_t>(block.counts[lane]);
   if (count > slots()) {
-    columns.resize(count);
     codes.resize(count * slot_bytes);
   }
   const auto* from = reinterpret_cast<const std::uint16_t*>(block.codes.data()) + lane;
   auto* to = reinterpret_cast<std::uint16_t*>(codes.data()) + images;
-  for (Block::Columns* range = columns.data(); range != columns.data() + count; ++range) {
+  for (std::size_t slot = 0; slot < count; ++slot) {
     for (std::size_t row = 0; row < code_rows; ++row) to[row * batch_images] = from[row * block_images];
-    const auto column = static_cast<std::uint8_t>(from[direction_rows * block_images]);  // the lower byte
-    range->first = std::min(range->first, column);
-    range->last = std::max(range->last, column);
+    columns.add(slot, static_cast<std::uint8_t>(from[direction_rows * block_images]));  // the lower byte
     from += code_rows * block_images;
     to += code_rows * batch_images;
   }
@@ -46,7 +43,7 @@ void Batch::add(const Block& block, std::size_t lane) {
 void Batch::clear() {
   images = 0;
   counts.fill(0);
-  std::fill(columns.begin(), columns.end(), Block::Columns{});
+  columns.clear();
 }
 
 AgreementQuery::AgreementQuery(const Signature& query, const MatchConfig& config)

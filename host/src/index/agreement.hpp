@@ -31,13 +31,13 @@ inline constexpr std::size_t batch_images = group_images;
 // The codes of up to 32 images of any blocks, as a block has them.
 struct Batch {
   AlignedVector<std::uint8_t> codes;
-  std::vector<Block::Columns> columns;  // of each slot
+  Columns columns;
   std::array<std::int16_t, batch_images> counts{};
   std::size_t images = 0;
 
   static constexpr std::size_t row_bytes = 2 * batch_images;
   static constexpr std::size_t slot_bytes = code_rows * row_bytes;
-  [[nodiscard]] std::size_t slots() const { return columns.size(); }
+  [[nodiscard]] std::size_t slots() const { return codes.size() / slot_bytes; }
   [[nodiscard]] bool full() const { return images == batch_images; }
   void add(const Block& block, std::size_t lane);
   void clear();

@@ -122,9 +122,9 @@ HWY_INLINE Alternatives alternatives(const Batch& batch, const AgreementRegion& 
   KeyVector low[keys_kept];
   KeyVector high[keys_kept];
   for (std::size_t i = 0; i < keys_kept; ++i) low[i] = high[i] = hn::Set(Keys(), ~0U);
-  for (std::size_t slot = 0; slot < batch.slots(); ++slot) {
-    const Block::Columns& columns = batch.columns[slot];
-    if (columns.last < region.screen.first_column || columns.first > region.screen.last_column) continue;
+  const Slots slots = slots_within_reach(batch.columns, batch.slots(), region.screen.first_column,
+                                         region.screen.last_column);
+  for (std::size_t slot = slots.begin; slot < slots.end; ++slot) {
     const auto* rows = reinterpret_cast<const std::int16_t*>(batch.codes.data() + slot * Batch::slot_bytes);
     const auto product = [&](std::size_t i, PairVector q)
                              HWY_ATTR { return dot(hn::LoadU(d, rows + i * batch_images + lane), q); };

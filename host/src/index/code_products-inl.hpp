@@ -1,4 +1,5 @@
-// Products of code bytes, in sixteen-bit lanes: included once per instruction set, by the kernels.
+// Products of code bytes, in sixteen-bit lanes, and which slots are worth them: included once per instruction
+// set, by the kernels.
 #if defined(SAILMAP_CODE_PRODUCTS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SAILMAP_CODE_PRODUCTS_INL
 #undef SAILMAP_CODE_PRODUCTS_INL
@@ -7,6 +8,9 @@
 #endif
 
 #include <hwy/highway.h>
+
+#include <bit>
+#include <cstring>
 
 #include "index/screen.hpp"
 
@@ -44,6 +48,32 @@ HWY_INLINE PairVector squares(PairVector codes, PairVector zeros) {
   const auto centred = hn::Sub(hn::BitCast(bytes, codes), hn::BitCast(bytes, zeros));
   const auto size = hn::BitCast(Pairs(), hn::Abs(centred));
   return dot(size, size);
+}
+
+// Slots that may be within reach of some columns. Without a loop over them, whose end no processor foresees.
+struct Slots {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+HWY_INLINE Slots slots_within_reach(const Columns& columns, std::size_t slots, std::uint8_t first_column,
+                                    std::uint8_t last_column) {
+  const hn::CappedTag<std::uint8_t, Columns::slots> d;
+  const auto before = hn::Set(d, first_column);
+  const auto behind = hn::Set(d, last_column);
+  std::uint8_t reached[Columns::slots / 8 + 7] = {};   // as many bytes more as may be stored
+  std::uint8_t not_beyond[Columns::slots / 8 + 7] = {};
+  for (std::size_t i = 0; i < Columns::slots; i += hn::Lanes(d)) {
+    const auto last = hn::LoadU(d, columns.last.data() + i);
+    const auto first = hn::LoadU(d, columns.first.data() + i);
+    hn::StoreMaskBits(d, hn::Eq(hn::Max(last, before), last), reached + i / 8);
+    hn::StoreMaskBits(d, hn::Eq(hn::Min(first, behind), first), not_beyond + i / 8);
+  }
+  std::uint32_t bits[2];
+  std::memcpy(&bits[0], reached, sizeof(bits[0]));
+  std::memcpy(&bits[1], not_beyond, sizeof(bits[1]));
+  const auto begin = std::min<std::size_t>(static_cast<std::size_t>(std::countr_zero(bits[0])), slots);
+  const std::size_t end = slots > Columns::slots ? slots : std::min<std::size_t>(32 - static_cast<std::size_t>(std::countl_zero(bits[1])), slots);
+  return {begin, end};
 }
 
 #endif  // HWY_SCALAR

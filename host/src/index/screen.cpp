@@ -94,10 +94,8 @@ void Block::add(std::size_t lane, const Signature& signature) {
   std::sort(regions.begin(), regions.end(),
             [&](const RegionCode& a, const RegionCode& b) { return column(a) < column(b); });
   if (count > slots()) {
-    columns.reserve(count);
-    columns.resize(count);
     codes.reserve(count * slot_bytes);  // exactly: growth by doubling would waste memory
-    for (std::size_t slot = codes.size() / slot_bytes; slot < count; ++slot) append_empty_slot(codes);
+    while (slots() < count) append_empty_slot(codes);
   }
   counts[lane] = static_cast<std::int16_t>(count);
   kinds[lane] = exact ? kinds_shared(signature) : no_shares;
@@ -106,13 +104,11 @@ void Block::add(std::size_t lane, const Signature& signature) {
       const std::size_t row = slot * slot_bytes + byte / 2 * row_bytes;
       codes[row + 2 * lane + byte % 2] = regions[slot][byte];
     }
-    Columns& range = columns[slot][lane / group_images];
-    range.first = std::min(range.first, column(regions[slot]));
-    range.last = std::max(range.last, column(regions[slot]));
+    columns[lane / group_images].add(slot, column(regions[slot]));
   }
 }
 
-std::size_t Block::memory() const { return codes.capacity() + columns.capacity() * sizeof(columns[0]); }
+std::size_t Block::memory() const { return codes.capacity(); }
 
 SortingNetwork sorting_network(std::size_t size) {
   SortingNetwork network;

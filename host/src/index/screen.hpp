@@ -8,6 +8,7 @@
 // As S_k is at least k S_1, it is the one smallest bound that decides for `paper`.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,15 +29,29 @@ inline constexpr std::size_t block_groups = block_images / group_images;
 inline constexpr std::size_t code_rows = code_bytes / 2;
 inline constexpr std::size_t direction_rows = code_rows - 1;
 
+// Of each slot of a group of images, the least and the greatest column. Slots beyond are not told apart.
+struct Columns {
+  static constexpr std::size_t slots = 32;
+  std::array<std::uint8_t, slots> first;
+  std::array<std::uint8_t, slots> last;
+
+  Columns() { clear(); }
+  void clear() {
+    first.fill(255);
+    last.fill(0);
+  }
+  void add(std::size_t slot, std::uint8_t column) {
+    if (slot >= slots) return;
+    first[slot] = std::min(first[slot], column);
+    last[slot] = std::max(last[slot], column);
+  }
+};
+
 // The codes of up to 64 images: for each slot (an image's regions in order of their column) five rows, one
 // for each pair of code bytes, of 64 such pairs.
 struct Block {
   AlignedVector<std::uint8_t> codes;
-  struct Columns {
-    std::uint8_t first = 255;
-    std::uint8_t last = 0;
-  };
-  std::vector<std::array<Columns, block_groups>> columns;  // of each slot, over its images
+  std::array<Columns, block_groups> columns;
   std::array<std::int16_t, block_images> counts{};         // regions of each image, slots beyond are empty
   // What each image's regions share, see kinds_shared; no_shares also where positions are not exact.
   std::array<std::uint8_t, block_images> kinds{};
@@ -44,7 +59,7 @@ struct Block {
 
   static constexpr std::size_t row_bytes = 2 * block_images;
   static constexpr std::size_t slot_bytes = code_bytes * block_images;
-  [[nodiscard]] std::size_t slots() const { return columns.size(); }
+  [[nodiscard]] std::size_t slots() const { return codes.size() / slot_bytes; }
   // The signature can_be_bounded.
   void add(std::size_t lane, const Signature& signature);
   [[nodiscard]] std::size_t memory() const;  // bytes, without the block itself

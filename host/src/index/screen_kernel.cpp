@@ -87,21 +87,6 @@ HWY_INLINE void store_distances(DistanceVector squared, const ScreenRegion& regi
   convert(hn::UpperHalf(half, squared), out + hn::Lanes(d32));
 }
 
-// Slots that may be within reach of two regions of the query.
-struct Slots {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-};
-HWY_INLINE Slots slots_within_reach(const Block& block, std::size_t group, const ScreenRegion& first,
-                                    const ScreenRegion& second) {
-  const std::uint8_t first_column = std::min(first.first_column, second.first_column);
-  const std::uint8_t last_column = std::max(first.last_column, second.last_column);
-  Slots slots{0, block.slots()};
-  while (slots.begin < slots.end && block.columns[slots.begin][group].last < first_column) ++slots.begin;
-  while (slots.begin < slots.end && block.columns[slots.end - 1][group].first > last_column) --slots.end;
-  return slots;
-}
-
 // The least squared distances over the slots, a lower bound for each image, for two regions of the query at a
 // time (so that each candidate is loaded once for both).
 struct Least {
@@ -195,7 +180,9 @@ std::uint64_t screen(const Block& block, const Block& next, const ScreenQuery& q
       const ScreenRegion& second = query.regions[std::min(i + 1, regions - 1)];
       const std::uint8_t* part_end = wanted + std::min<std::ptrdiff_t>(wanted_end - wanted, part);
       for (; wanted < part_end; wanted += 64) __builtin_prefetch(wanted, 0, 2);
-      const Slots slots = slots_within_reach(block, group, first, second);
+      const Slots slots = slots_within_reach(
+          block.columns[group], block.slots(), std::min(first.first_column, second.first_column),
+          std::max(first.last_column, second.last_column));
       const std::size_t end = (group + 1) * group_images;
       for (std::size_t lane = group * group_images; lane < end; lane += hn::Lanes(Pairs())) {
         const Least least = least_distances(block, slots, first, second, squares, exact, lane);
