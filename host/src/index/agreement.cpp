@@ -17,9 +17,9 @@ constexpr double largest_spread = 32766;
 constexpr std::size_t most_regions = 31;
 
 std::int16_t place_of(const RegionCode& code) {
-  const unsigned column = code[column_byte] ^ 0x80U;
-  const unsigned row = code[row_byte] ^ 0x80U;
-  return static_cast<std::int16_t>(column | row << 8U);
+  const auto column = static_cast<std::uint8_t>(code[column_byte]);
+  const auto row = static_cast<std::uint8_t>(code[row_byte]);
+  return static_cast<std::int16_t>(column | row << 8);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ void Batch::add(const Block& block, std::size_t lane) {
   auto* to = reinterpret_cast<std::uint16_t*>(codes.data()) + images;
   for (std::size_t slot = 0; slot < count; ++slot) {
     for (std::size_t row = 0; row < code_rows; ++row) to[row * batch_images] = from[row * block_images];
-    columns.add(slot, static_cast<std::uint8_t>(from[direction_rows * block_images]));  // the lower byte
+    columns.add(slot, static_cast<std::int8_t>(from[direction_rows * block_images]));  // the lower byte
     from += code_rows * block_images;
     to += code_rows * batch_images;
   }

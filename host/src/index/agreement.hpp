@@ -46,7 +46,7 @@ struct Batch {
 // One region of the query. Distances are in squared code steps, as in ScreenRegion, positions in grid steps.
 struct AgreementRegion {
   ScreenRegion screen;
-  std::int16_t place = 0;  // its column and row, less 128, in signed bytes
+  std::int16_t place = 0;  // the codes of its column and row
   float error = 0;         // in code steps, of both codes
 };
 

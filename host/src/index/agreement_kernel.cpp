@@ -59,18 +59,16 @@ HWY_INLINE PairVector squared_length(PairVector displacement) {
 
 HWY_INLINE void prepare_slots(const Batch& batch, const AgreementQuery& query, AgreementWork& work) {
   const Pairs d;
-  const PairVector zeros = hn::Set(d, zero_code * 0x0101);
   const PairVector beyond = hn::Set(d, static_cast<std::int16_t>(query.largest_squared_offset + 1));
-  const PairVector last_zeros = hn::Set(d, zero_code);  // with a byte that is nothing
   for (std::size_t slot = 0; slot < batch.slots(); ++slot) {
     const auto* rows = reinterpret_cast<const std::int16_t*>(batch.codes.data() + slot * Batch::slot_bytes);
     for (std::size_t lane = 0; lane < batch_images; lane += hn::Lanes(d)) {
       const auto row = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, rows + i * batch_images + lane); };
       static_assert(direction_rows == 4);
-      const auto sum = hn::Add(hn::Add(squares(row(0), zeros), squares(row(1), zeros)),
-                               hn::Add(squares(row(2), zeros), squares(row(3), last_zeros)));
-      store(sum, work.slots[slot].square, lane);
-      store(hn::Xor(row(4), hn::Set(d, static_cast<std::int16_t>(0x8080))), work.slots[slot].place, lane);
+      store(hn::Add(hn::Add(direction_term(row(0)), direction_term(row(1))),
+                    hn::Add(direction_term(row(2)), direction_term(row(3)))),
+            work.slots[slot].square, lane);
+      store(row(4), work.slots[slot].place, lane);
       const auto filled =
           hn::Gt(hn::LoadU(d, batch.counts.data() + lane), hn::Set(d, static_cast<std::int16_t>(slot)));
       store(hn::IfThenElse(filled, beyond, hn::Zero(d)), work.slots[slot].beyond, lane);
@@ -112,25 +110,26 @@ HWY_INLINE Alternatives alternatives(const Batch& batch, const AgreementRegion& 
                                      const AgreementWork& work, std::size_t lane) {
   const Pairs d;
   const hn::Repartition<std::int8_t, Pairs> bytes;
-  const PairVector q0 = hn::Set(d, region.screen.minus_pairs[0]);
-  const PairVector q1 = hn::Set(d, region.screen.minus_pairs[1]);
-  const PairVector q2 = hn::Set(d, region.screen.minus_pairs[2]);
-  const PairVector q3 = hn::Set(d, region.screen.minus_pairs[3]);
+  const PairVector q0 = hn::Set(d, region.screen.pairs[0]);
+  const PairVector q1 = hn::Set(d, region.screen.pairs[1]);
+  const PairVector q2 = hn::Set(d, region.screen.pairs[2]);
+  const PairVector q3 = hn::Set(d, region.screen.pairs[3]);
   const PairVector rest = hn::Set(d, region.screen.descriptor_rest);
   const auto place = hn::BitCast(bytes, hn::Set(d, region.place));
   const PairVector none = hn::Set(d, -1);  // no_distance
   KeyVector low[keys_kept];
   KeyVector high[keys_kept];
   for (std::size_t i = 0; i < keys_kept; ++i) low[i] = high[i] = hn::Set(Keys(), ~0U);
-  const Slots slots = slots_within_reach(batch.columns, batch.slots(), region.screen.first_column,
-                                         region.screen.last_column);
+  const Slots slots =
+      slots_within_reach(batch.columns, batch.slots(), region.screen.first_column, region.screen.last_column);
   for (std::size_t slot = slots.begin; slot < slots.end; ++slot) {
     const auto* rows = reinterpret_cast<const std::int16_t*>(batch.codes.data() + slot * Batch::slot_bytes);
     const auto product = [&](std::size_t i, PairVector q)
-                             HWY_ATTR { return dot(hn::LoadU(d, rows + i * batch_images + lane), q); };
+                             HWY_ATTR { return dot(q, hn::LoadU(d, rows + i * batch_images + lane)); };
     const AgreementWork::Slot& prepared = work.slots[slot];
-    const PairVector distance = hn::Add(hn::Add(hn::Add(load(prepared.square, lane), rest), product(0, q0)),
-                                        hn::Add(hn::Add(product(1, q1), product(2, q2)), product(3, q3)));
+    const PairVector distance =
+        hn::Sub(hn::Add(load(prepared.square, lane), rest),
+                hn::Add(hn::Add(product(0, q0), product(1, q1)), hn::Add(product(2, q2), product(3, q3))));
     const PairVector displacement =
         hn::BitCast(d, hn::SaturatedSub(hn::BitCast(bytes, load(prepared.place, lane)), place));
     const auto admissible = hn::Lt(squared_length(displacement), load(prepared.beyond, lane));

@@ -15,7 +15,8 @@ inline constexpr std::uint16_t no_distance = UINT16_MAX;
 
 // See ScreenQuery::passing. `next` is fetched from memory meanwhile. `work` holds at least work_bytes(slots,
 // regions).
-std::uint64_t screen_block(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work);
+std::uint64_t screen_block(const Block& block, const Block& next, const ScreenQuery& query,
+                           std::uint8_t* work);
 std::size_t work_bytes(std::size_t slots, std::size_t regions);
 
 // See AgreementQuery::passing. `work` has a slot for each of the batch's, and a `nearest` for each region.
@@ -34,9 +35,8 @@ ConsistentMatches consistent_matches(const QueryLanes& lanes, const Region* cand
 // Half the squared offset of two positions, less |q|^2/2, is from -16130 to 48387, as they are at most
 // position_zero from their zero in both directions: less this it has signed 16 bits.
 inline constexpr int position_bias = 16638;
-// Half the squared position code of an empty slot, whose position is the zeros: what is added to it comes to
-// nothing but the bias, and it is above all limits, which are at most INT16_MAX.
-inline constexpr std::int16_t empty_slot = static_cast<std::int16_t>(INT16_MAX + position_bias - 65536);
+// What directions of the query are counted from.
+inline constexpr int direction_origin = 128;
 
 // Two squared distances within this part of each other are too near for single precision to order.
 inline constexpr float ambiguous_part = 1e-5F;

@@ -37,13 +37,13 @@ inline std::vector<std::uint32_t> sorted_keys(const BatchImage& image, const Agr
   std::vector<std::uint32_t> keys;
   for (std::size_t slot = 0; slot < image.count(); ++slot) {
     const std::uint8_t* position = image.pair(slot, direction_rows);
-    const Displaced by{position[0] - 128 - from.column, position[1] - 128 - from.row};
+    const Displaced by{static_cast<std::int8_t>(position[0]) - from.column,
+                       static_cast<std::int8_t>(position[1]) - from.row};
     if (squared_length(by) > largest_squared_offset) continue;
     int distance = region.screen.descriptor_rest;
     for (std::size_t i = 0; i < direction_rows; ++i) {
       const std::uint8_t* c = image.pair(slot, i);
-      const int second = 2 * i + 1 < directions ? c[1] - zero_code : 0;
-      distance += square(c[0] - zero_code, second) + product(c[0], c[1], region.screen.minus_pairs[i]);
+      distance += square(c) - product(c, region.screen.pairs[i], direction_origin);
     }
     const std::uint32_t bytes = static_cast<std::uint8_t>(by.column) |
                                 static_cast<std::uint32_t>(static_cast<std::uint8_t>(by.row)) << 8U;

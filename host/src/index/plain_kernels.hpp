@@ -12,35 +12,40 @@
 
 namespace sailmap::index::plain {
 
-// Of the two bytes, less their zeros: their squares, summed.
-inline int square(int x, int y) { return x * x + y * y; }
+// Two codes next to each other: their squares, summed.
+inline int square(const std::uint8_t* codes) {
+  const auto x = static_cast<std::int8_t>(codes[0]);
+  const auto y = static_cast<std::int8_t>(codes[1]);
+  return x * x + y * y;
+}
 
-// The two bytes' products with the signed bytes in `pair`, summed as far as signed 16 bits go.
-inline int product(int x, int y, std::int16_t pair) {
+// Their products with the two bytes in `pair` counted from `origin`, the sum of the unsigned ones as far as
+// signed 16 bits go.
+inline int product(const std::uint8_t* codes, std::int16_t pair, int origin) {
+  const auto x = static_cast<std::int8_t>(codes[0]);
+  const auto y = static_cast<std::int8_t>(codes[1]);
   const auto bytes = static_cast<std::uint16_t>(pair);
-  const int sum = x * static_cast<std::int8_t>(bytes & 0xFFU) + y * static_cast<std::int8_t>(bytes >> 8U);
-  return std::clamp<int>(sum, INT16_MIN, INT16_MAX);
+  const int sum = x * static_cast<int>(bytes & 0xFFU) + y * static_cast<int>(bytes >> 8U);
+  return std::clamp<int>(sum, INT16_MIN, INT16_MAX) - origin * (x + y);
 }
 
 inline std::uint16_t least_distance(const Block& block, const ScreenQuery& query, const ScreenRegion& region,
                                     std::size_t lane) {
   const bool exact = query.exact_positions && block.exact_positions;
   const auto count = static_cast<std::size_t>(block.counts[lane]);
-  std::uint16_t least = no_distance;
+  std::int16_t least = INT16_MAX;  // less the rest
   for (std::size_t slot = 0; slot < count; ++slot) {
     const std::uint8_t* c = block.codes.data() + slot * Block::slot_bytes + 2 * lane;
-    int distance = region.descriptor_rest;
+    int distance = 0;
     std::size_t i = 0;
     for (; i < direction_rows; ++i, c += Block::row_bytes) {
-      const int second = 2 * i + 1 < directions ? c[1] - zero_code : 0;
-      distance += square(c[0] - zero_code, second) + product(c[0], c[1], region.minus_pairs[i]);
+      distance += square(c) - product(c, region.pairs[i], direction_origin);
     }
-    const int offset = square(c[0] - position_zero, c[1] - position_zero) / 2 +
-                       product(c[0], c[1], region.minus_pairs[i]) + region.position_rest;
+    const int offset = square(c) / 2 - product(c, region.pairs[i], position_zero) - position_bias;
     if (static_cast<std::int16_t>(offset) >= region.position_limits[exact ? 0 : 1]) continue;
-    least = std::min(least, static_cast<std::uint16_t>(distance));
+    least = std::min(least, static_cast<std::int16_t>(distance));
   }
-  return least;
+  return static_cast<std::uint16_t>(std::max<int>(least, -region.descriptor_rest) + region.descriptor_rest);
 }
 
 inline std::uint8_t least_bound(const Block& block, const ScreenQuery& query, const ScreenRegion& region,

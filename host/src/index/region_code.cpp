@@ -6,15 +6,16 @@
 namespace sailmap::index {
 namespace {
 
-std::uint8_t code_of(double steps, int zero, int last) {
-  return static_cast<std::uint8_t>(std::clamp(std::round(steps) + zero, 0.0, static_cast<double>(last)));
+std::int8_t code_of(double steps, int first, int last) {
+  return static_cast<std::int8_t>(
+      std::clamp(std::round(steps), static_cast<double>(first), static_cast<double>(last)));
 }
 
 // In steps from 0, cut to what codes hold: what the errors are against.
 Projection cut_steps(const Descriptor& descriptor) {
   Projection p = project(descriptor);
   for (double& number : p) {
-    number = std::clamp(number / step, double{-zero_code}, double{last_code - zero_code});
+    number = std::clamp(number / step, double{first_code}, double{last_code});
   }
   return p;
 }
@@ -50,10 +51,11 @@ PositionGrid::PositionGrid(int width, int height) {
 RegionCode encode(const Region& region, const PositionGrid& grid) {
   const Projection p = project(region.descriptor);
   RegionCode code{};
-  for (std::size_t i = 0; i < directions; ++i) code[i] = code_of(p[i] / step, zero_code, last_code);
+  for (std::size_t i = 0; i < directions; ++i) code[i] = code_of(p[i] / step, first_code, last_code);
   const std::array<int, 2> position = {region.x, region.y};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    code[column_byte + axis] = code_of(position[axis] / grid.step, 0, grid.last[axis]);
+    code[column_byte + axis] = code_of(std::round(position[axis] / grid.step) - position_zero, -position_zero,
+                                       grid.last[axis] - position_zero);
   }
   return code;
 }
@@ -62,7 +64,7 @@ bool is_exact(const Region& region, const PositionGrid& grid) {
   const RegionCode code = encode(region, grid);
   const std::array<int, 2> position = {region.x, region.y};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    if (grid.step * code[column_byte + axis] != position[axis]) return false;
+    if (grid.step * (position_zero + code[column_byte + axis]) != position[axis]) return false;
   }
   return true;
 }
@@ -71,7 +73,7 @@ double code_error(const Descriptor& descriptor, const RegionCode& code) {
   const Projection steps = cut_steps(descriptor);
   double sum = 0;
   for (std::size_t i = 0; i < directions; ++i) {
-    const double error = steps[i] - (code[i] - zero_code);
+    const double error = steps[i] - code[i];
     sum += error * error;
   }
   return step * std::sqrt(sum);
@@ -117,7 +119,7 @@ std::uint8_t kinds_shared(const Signature& signature) {
     }
     if (of_all != no_shares && of_all != kinds) return no_shares;
     for (const double number : project(region.descriptor)) {
-      if (std::abs(number) > step * (last_code - zero_code)) return no_shares;
+      if (std::abs(number) > step * last_code) return no_shares;
     }
     of_all = kinds;
   }

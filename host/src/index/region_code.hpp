@@ -17,11 +17,11 @@ using Projection = std::array<double, directions>;
 // which brings none further apart), but for rounding below 1e-9.
 Projection project(const Descriptor& descriptor);
 
-// Codes of directions are 0 .. 127, in steps of `step`, 64 standing for 0; what lies beyond counts as the
-// outermost, which brings none further apart either.
+// Codes of directions are in steps of `step`; what lies beyond the first or the last counts as that, which
+// brings none further apart either.
 inline constexpr double step = 0.01123;  // 127 of them span the +-sqrt(1/2) of a kind with two numbers
-inline constexpr int zero_code = 64;
-inline constexpr int last_code = 127;
+inline constexpr int first_code = -64;
+inline constexpr int last_code = 63;
 
 // Columns and rows are counted in `step` pixels: 4 pixels, which is exact for regions on the base level,
 // unless the image is too large for the kernel's 8 and 16 bits (most images up to 1000 pixels wide are not).
@@ -31,7 +31,7 @@ struct PositionGrid {
   double step = 4;
   std::array<int, 2> last{};  // x, y
 };
-// The kernel counts positions from here, as far to the right and below as signed bytes allow: the products
+// Codes count positions from here, as far to the right and below as signed bytes allow: the products
 // of positions that are near each other are then small enough for 16 bits.
 inline constexpr int position_zero = 127;
 
@@ -39,7 +39,7 @@ inline constexpr int position_zero = 127;
 inline constexpr std::size_t column_byte = 8;
 inline constexpr std::size_t row_byte = 9;
 inline constexpr std::size_t code_bytes = 10;
-using RegionCode = std::array<std::uint8_t, code_bytes>;
+using RegionCode = std::array<std::int8_t, code_bytes>;
 RegionCode encode(const Region& region, const PositionGrid& grid);
 
 // Whether the code stands for exactly the region's position.

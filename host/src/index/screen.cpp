@@ -11,12 +11,8 @@ namespace {
 // Bounds are rounded to their safe side by this part of themselves, far above what double precision loses.
 constexpr double slack = 1e-6;
 
-// Two bytes, signed or not, in one number.
-std::int16_t pair_of(int first, int second) {
-  const auto low = static_cast<std::uint8_t>(first);
-  const auto high = static_cast<std::uint8_t>(second);
-  return static_cast<std::int16_t>(low | (high << 8));
-}
+// Two unsigned bytes in one number.
+std::int16_t pair_of(int first, int second) { return static_cast<std::int16_t>(first | (second << 8)); }
 
 // `radius` and `error` in steps of position codes.
 std::int16_t position_limit(double radius, double error, int half_square) {
@@ -28,38 +24,27 @@ std::int16_t position_limit(double radius, double error, int half_square) {
 
 void set_descriptor(const QueryCode& code, ScreenRegion& region) {
   int square = 0;
-  int product = 0;  // with the zeros
-  for (std::size_t i = 0; i < directions; ++i) {
-    square += code[i] * code[i];
-    product += code[i] * zero_code;
-  }
+  for (const int half_steps : code) square += half_steps * half_steps;
   for (std::size_t i = 0; i < direction_rows; ++i) {
     const int second = 2 * i + 1 < directions ? code[2 * i + 1] : 0;
-    region.minus_pairs[i] = pair_of(-code[2 * i], -second);
+    region.pairs[i] = pair_of(code[2 * i] + direction_origin, second + direction_origin);
   }
-  region.descriptor_rest = static_cast<std::int16_t>(square / 4 + product);
+  region.descriptor_rest = static_cast<std::int16_t>(square / 4);
 }
 
 // `radius` in pixels.
 void set_position(const RegionCode& code, const PositionGrid& grid, double radius, ScreenRegion& out) {
-  const int column = code[column_byte];
-  const int x = column - position_zero;
-  const int y = code[row_byte] - position_zero;
+  const int x = code[column_byte];
+  const int y = code[row_byte];
+  const int column = x + position_zero;
   const int half_square = (x * x + y * y) / 2;
-  out.minus_pairs[direction_rows] = pair_of(-x, -y);
-  out.position_rest = static_cast<std::int16_t>((x + y) * position_zero - position_bias);
+  out.pairs[direction_rows] = pair_of(column, y + position_zero);
   const double off = std::sqrt(2.0);  // both codes, by half in each direction
   const double reach = radius / grid.step;
   out.position_limits = {position_limit(reach, 0, half_square), position_limit(reach, off, half_square)};
   const double columns = std::min(reach + off, 255.0);
   out.first_column = static_cast<std::uint8_t>(std::max(0.0, std::floor(column - columns)));
   out.last_column = static_cast<std::uint8_t>(std::min(255.0, std::ceil(column + columns)));
-}
-
-// With positions at their zeros, which the kernel's empty_slot counts on.
-void append_empty_slot(AlignedVector<std::uint8_t>& codes) {
-  codes.resize(codes.size() + direction_rows * Block::row_bytes);
-  codes.insert(codes.end(), 2 * block_images, static_cast<std::uint8_t>(position_zero));
 }
 
 }  // namespace
@@ -95,14 +80,14 @@ void Block::add(std::size_t lane, const Signature& signature) {
             [&](const RegionCode& a, const RegionCode& b) { return column(a) < column(b); });
   if (count > slots()) {
     codes.reserve(count * slot_bytes);  // exactly: growth by doubling would waste memory
-    while (slots() < count) append_empty_slot(codes);
+    codes.resize(count * slot_bytes);
   }
   counts[lane] = static_cast<std::int16_t>(count);
   kinds[lane] = exact ? kinds_shared(signature) : no_shares;
   for (std::size_t slot = 0; slot < count; ++slot) {
     for (std::size_t byte = 0; byte < code_bytes; ++byte) {
       const std::size_t row = slot * slot_bytes + byte / 2 * row_bytes;
-      codes[row + 2 * lane + byte % 2] = regions[slot][byte];
+      codes[row + 2 * lane + byte % 2] = static_cast<std::uint8_t>(regions[slot][byte]);
     }
     columns[lane / group_images].add(slot, column(regions[slot]));
   }

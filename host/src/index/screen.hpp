@@ -40,8 +40,9 @@ struct Columns {
     first.fill(255);
     last.fill(0);
   }
-  void add(std::size_t slot, std::uint8_t column) {
+  void add(std::size_t slot, std::int8_t code) {
     if (slot >= slots) return;
+    const auto column = static_cast<std::uint8_t>(code + position_zero);
     first[slot] = std::min(first[slot], column);
     last[slot] = std::max(last[slot], column);
   }
@@ -52,7 +53,7 @@ struct Columns {
 struct Block {
   AlignedVector<std::uint8_t> codes;
   std::array<Columns, block_groups> columns;
-  std::array<std::int16_t, block_images> counts{};         // regions of each image, slots beyond are empty
+  std::array<std::int16_t, block_images> counts{};  // regions of each image, slots beyond are empty
   // What each image's regions share, see kinds_shared; no_shares also where positions are not exact.
   std::array<std::uint8_t, block_images> kinds{};
   bool exact_positions = true;
@@ -71,14 +72,13 @@ using SortingNetwork = std::vector<std::pair<std::uint16_t, std::uint16_t>>;
 SortingNetwork sorting_network(std::size_t size);
 
 // One region of the query, as the kernel wants it: in 16 bits, modulo 2^16 on the way. With a candidate's
-// code c about its zeros and the query's q in half steps, the squared distance is |c|^2 - q.c + |q|^2/4,
-// rounded down. With positions c and q about their zeros, half the squared offset is |c|^2/2 - q.c + |q|^2/2,
-// halves rounded down. The kernel has codes with the zeros still in them: what that adds to -q.c is in the
-// `rests`.
+// code c and the query's q in half steps, the squared distance is |c|^2 - q.c + |q|^2/4, rounded down. With
+// positions c and q, half the squared offset is |c|^2/2 - q.c + |q|^2/2, halves rounded down. Of two bytes
+// multiplied one has to be unsigned: that is q, counted from -128 (directions) and -position_zero; what this
+// adds to q.c is a matter of the candidate alone.
 struct ScreenRegion {
-  std::array<std::int16_t, code_rows> minus_pairs{};  // -q in signed bytes, two in each
-  std::int16_t descriptor_rest = 0;                   // with |q|^2/4
-  std::int16_t position_rest = 0;                     // without |q|^2/2, less position_bias
+  std::array<std::int16_t, code_rows> pairs{};  // q in unsigned bytes, two in each
+  std::int16_t descriptor_rest = 0;             // |q|^2/4
   // Constraint 1 fails for certain where half the squared offset, less |q|^2/2 and the bias, is this or more:
   // among exact positions, and among others.
   std::array<std::int16_t, 2> position_limits{};

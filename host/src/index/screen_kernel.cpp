@@ -17,7 +17,8 @@ namespace sailmap::index {
 namespace HWY_NAMESPACE {
 #if HWY_TARGET == HWY_SCALAR
 
-std::uint64_t screen(const Block& block, const Block& /*next*/, const ScreenQuery& query, std::uint8_t* /*work*/) {
+std::uint64_t screen(const Block& block, const Block& /*next*/, const ScreenQuery& query,
+                     std::uint8_t* /*work*/) {
   return plain::screen(block, query);
 }
 
@@ -30,27 +31,21 @@ using Vector = hn::Vec<Bytes>;
 using Distances = hn::RebindToUnsigned<Pairs>;
 using DistanceVector = hn::Vec<Distances>;
 
-// The squares |c|^2 of the descriptor and half those of the position of each candidate; positions of empty
-// slots are beyond all limits. Rows of 64 numbers, descriptor and position for each slot.
-HWY_INLINE void candidate_squares(const Block& block, std::int16_t* out) {
+// What distance and offset have of each candidate alone; positions of empty slots are beyond all limits,
+// which are at most INT16_MAX. Rows of 64 numbers, descriptor and position for each slot.
+HWY_INLINE void candidate_terms(const Block& block, std::int16_t* out) {
   const Pairs d;
-  const PairVector zeros = hn::Set(d, zero_code * 0x0101);
-  const PairVector last_zeros = hn::Set(d, zero_code);  // with a byte that is nothing
-  const PairVector middle = hn::Set(d, position_zero * 0x0101);
   for (std::size_t slot = 0; slot < block.slots(); ++slot) {
     const auto* row = reinterpret_cast<const std::int16_t*>(block.codes.data() + slot * Block::slot_bytes);
     for (std::size_t lane = 0; lane < block_images; lane += hn::Lanes(d)) {
-      const auto square = [&](std::size_t i, PairVector about) HWY_ATTR {
-        return squares(hn::LoadU(d, row + i * block_images + lane), about);
-      };
+      const auto codes = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, row + i * block_images + lane); };
       static_assert(direction_rows == 4);
-      const auto sum = hn::Add(hn::Add(square(0, zeros), square(1, zeros)),
-                               hn::Add(square(2, zeros), square(3, last_zeros)));
+      const auto sum = hn::Add(hn::Add(direction_term(codes(0)), direction_term(codes(1))),
+                               hn::Add(direction_term(codes(2)), direction_term(codes(3))));
       const auto count = hn::LoadU(d, block.counts.data() + lane);
       const auto filled = hn::Gt(count, hn::Set(d, static_cast<std::int16_t>(slot)));
-      const auto position = hn::ShiftRight<1>(square(4, middle));
       hn::StoreU(sum, d, out + 2 * slot * block_images + lane);
-      hn::StoreU(hn::IfThenElse(filled, position, hn::Set(d, empty_slot)), d,
+      hn::StoreU(hn::IfThenElse(filled, position_term(codes(4)), hn::Set(d, INT16_MAX)), d,
                  out + (2 * slot + 1) * block_images + lane);
     }
   }
@@ -58,17 +53,23 @@ HWY_INLINE void candidate_squares(const Block& block, std::int16_t* out) {
 
 // A region of the query in registers.
 struct Probe {
-  PairVector q0, q1, q2, q3, position, descriptor_rest, position_rest, limit;
-  DistanceVector least;
+  PairVector q0, q1, q2, q3, position, limit;
+  PairVector least;  // squared distance, without |q|^2/4
 };
 
 HWY_INLINE Probe probe_of(const ScreenRegion& region, bool exact) {
   const Pairs d;
-  return {hn::Set(d, region.minus_pairs[0]), hn::Set(d, region.minus_pairs[1]),
-          hn::Set(d, region.minus_pairs[2]), hn::Set(d, region.minus_pairs[3]),
-          hn::Set(d, region.minus_pairs[4]), hn::Set(d, region.descriptor_rest),
-          hn::Set(d, region.position_rest),  hn::Set(d, region.position_limits[exact ? 0 : 1]),
-          hn::Set(Distances(), no_distance)};
+  return {hn::Set(d, region.pairs[0]), hn::Set(d, region.pairs[1]),
+          hn::Set(d, region.pairs[2]), hn::Set(d, region.pairs[3]),
+          hn::Set(d, region.pairs[4]), hn::Set(d, region.position_limits[exact ? 0 : 1]),
+          hn::Set(d, INT16_MAX)};
+}
+
+// The least squared distance, no less than 0: what is beyond signed 16 bits came round below it.
+HWY_INLINE DistanceVector squared_distance(const Probe& probe, const ScreenRegion& region) {
+  const Pairs d;
+  const auto rest = hn::Set(d, region.descriptor_rest);
+  return hn::BitCast(Distances(), hn::Add(hn::Max(probe.least, hn::Neg(rest)), rest));
 }
 
 // Distance codes from the squared distances in code steps: rounded down, less the codes' errors.
@@ -93,10 +94,9 @@ struct Least {
   DistanceVector first, second;
 };
 HWY_INLINE Least least_distances(const Block& block, const Slots& slots, const ScreenRegion& first,
-                                 const ScreenRegion& second, const std::int16_t* squares, bool exact,
+                                 const ScreenRegion& second, const std::int16_t* terms, bool exact,
                                  std::size_t lane) {
   const Pairs d;
-  const Distances du;
   Probe a = probe_of(first, exact);
   Probe b = probe_of(second, exact);
   for (std::size_t slot = slots.begin; slot < slots.end; ++slot) {
@@ -106,21 +106,20 @@ HWY_INLINE Least least_distances(const Block& block, const Slots& slots, const S
     const PairVector c2 = hn::LoadU(d, row + 2 * block_images + lane);
     const PairVector c3 = hn::LoadU(d, row + 3 * block_images + lane);
     const PairVector c4 = hn::LoadU(d, row + 4 * block_images + lane);
-    const PairVector descriptor = hn::LoadU(d, squares + 2 * slot * block_images + lane);
-    const PairVector position = hn::LoadU(d, squares + (2 * slot + 1) * block_images + lane);
+    const PairVector descriptor = hn::LoadU(d, terms + 2 * slot * block_images + lane);
+    const PairVector position = hn::LoadU(d, terms + (2 * slot + 1) * block_images + lane);
     const auto improve = [&](Probe& probe) HWY_ATTR {
-      const auto distance =
-          hn::Add(hn::Add(hn::Add(descriptor, probe.descriptor_rest), dot(c0, probe.q0)),
-                  hn::Add(hn::Add(dot(c1, probe.q1), dot(c2, probe.q2)), dot(c3, probe.q3)));
-      const auto offset = hn::Add(hn::Add(position, probe.position_rest), dot(c4, probe.position));
-      const auto admissible = hn::RebindMask(du, hn::Lt(offset, probe.limit));
-      const auto less = hn::Min(probe.least, hn::BitCast(du, distance));
-      probe.least = hn::IfThenElse(admissible, less, probe.least);
+      const auto products = hn::Add(hn::Add(dot(probe.q0, c0), dot(probe.q1, c1)),
+                                    hn::Add(dot(probe.q2, c2), dot(probe.q3, c3)));
+      const auto distance = hn::Sub(descriptor, products);
+      const auto offset = hn::Sub(position, dot(probe.position, c4));
+      const auto less = hn::Min(probe.least, distance);
+      probe.least = hn::IfThenElse(hn::Lt(offset, probe.limit), less, probe.least);
     };
     improve(a);
     improve(b);
   }
-  return {a.least, b.least};
+  return {squared_distance(a, first), squared_distance(b, second)};
 }
 
 // A bit for each lane of 16 bits that is zero.
@@ -166,8 +165,8 @@ std::uint64_t screen(const Block& block, const Block& next, const ScreenQuery& q
   const Bytes d;
   const std::size_t regions = query.regions.size();
   std::uint8_t* bounds = work;
-  auto* squares = reinterpret_cast<std::int16_t*>(work + (regions + 1) * block_images);
-  candidate_squares(block, squares);
+  auto* terms = reinterpret_cast<std::int16_t*>(work + (regions + 1) * block_images);
+  candidate_terms(block, terms);
   // A part with each two regions: all at once would be waited for.
   const std::size_t part = next.codes.size() / (block_groups * ((regions + 1) / 2)) + 1;
   const std::uint8_t* wanted = next.codes.data();
@@ -180,12 +179,12 @@ std::uint64_t screen(const Block& block, const Block& next, const ScreenQuery& q
       const ScreenRegion& second = query.regions[std::min(i + 1, regions - 1)];
       const std::uint8_t* part_end = wanted + std::min<std::ptrdiff_t>(wanted_end - wanted, part);
       for (; wanted < part_end; wanted += 64) __builtin_prefetch(wanted, 0, 2);
-      const Slots slots = slots_within_reach(
-          block.columns[group], block.slots(), std::min(first.first_column, second.first_column),
-          std::max(first.last_column, second.last_column));
+      const Slots slots = slots_within_reach(block.columns[group], block.slots(),
+                                             std::min(first.first_column, second.first_column),
+                                             std::max(first.last_column, second.last_column));
       const std::size_t end = (group + 1) * group_images;
       for (std::size_t lane = group * group_images; lane < end; lane += hn::Lanes(Pairs())) {
-        const Least least = least_distances(block, slots, first, second, squares, exact, lane);
+        const Least least = least_distances(block, slots, first, second, terms, exact, lane);
         if (query.one_is_enough) {
           passing |= (within_limit(least.first, first) | within_limit(least.second, second)) << lane;
           continue;
@@ -223,7 +222,8 @@ std::size_t work_bytes(std::size_t slots, std::size_t regions) {
   return (regions + 1 + 4 * slots) * block_images;
 }
 
-std::uint64_t screen_block(const Block& block, const Block& next, const ScreenQuery& query, std::uint8_t* work) {
+std::uint64_t screen_block(const Block& block, const Block& next, const ScreenQuery& query,
+                           std::uint8_t* work) {
   return HWY_DYNAMIC_DISPATCH(screen)(block, next, query, work);
 }
 

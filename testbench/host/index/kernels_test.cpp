@@ -227,14 +227,14 @@ TEST(RegionCode, StandsForWhatItsErrorSays) {
       const Projection p = project(region.descriptor);
       double squared = 0;
       for (std::size_t k = 0; k < directions; ++k) {
-        const double error = p[k] - step * (code[k] - zero_code);
+        const double error = p[k] - step * code[k];
         squared += error * error;
       }
       largest = std::max(largest, std::sqrt(squared));
       EXPECT_NEAR(code_error(region.descriptor, code), std::sqrt(squared), 1e-9);
       EXPECT_TRUE(is_exact(region, grid));
-      EXPECT_EQ(4 * code[column_byte], region.x);
-      EXPECT_EQ(4 * code[row_byte], region.y);
+      EXPECT_EQ(4 * (position_zero + code[column_byte]), region.x);
+      EXPECT_EQ(4 * (position_zero + code[row_byte]), region.y);
     }
   }
   EXPECT_LE(largest, largest_code_error);
