@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "sailmap/detection.hpp"
@@ -19,7 +20,8 @@ namespace sailmap {
 
 namespace index {
 struct Block;
-}
+class Grouping;
+}  // namespace index
 
 class PlaceIndex {
  public:
@@ -47,14 +49,17 @@ class PlaceIndex {
   [[nodiscard]] Ranking find(const Signature& query, int nodes, int same_place_nodes,
                              const MatchConfig& config, const SignatureOf& signature_of) const;
 
-  [[nodiscard]] std::size_t size() const { return entries_.size(); }  // entries
-  [[nodiscard]] std::size_t memory() const;                           // bytes, without the signatures
+  [[nodiscard]] std::size_t size() const { return size_; }  // entries
+  [[nodiscard]] std::size_t memory() const;                 // bytes, without the signatures
 
  private:
   Signature first_;  // its size, which is that of all
-  std::vector<Entry> entries_;
-  std::vector<index::Block> blocks_;    // entry e is lane e % 64 of block e / 64
-  std::vector<std::size_t> unbounded_;  // entries with numbers that cannot be bounded: always compared
+  std::size_t size_ = 0;
+  std::unique_ptr<index::Grouping> grouping_;  // none of an empty index
+  std::vector<index::Block> blocks_;
+  std::vector<Entry>
+      entries_;  // of lane l of block b: number 64 b + l; a node beyond all where there is none
+  std::vector<Entry> unbounded_;  // with numbers that cannot be bounded: always compared
 };
 
 }  // namespace sailmap

@@ -4,9 +4,12 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "agreement.hpp"
 #include "estimate.hpp"
+#include "grouping.hpp"
 #include "leaders.hpp"
 #include "match/check.hpp"
 #include "screen.hpp"
@@ -19,6 +22,8 @@ using index::block_images;
 // Blocks screened before those that pass are looked at: enough that the memory reads of many overlap, and
 // few at first, when nothing is known yet and all pass.
 constexpr std::size_t most_blocks_at_once = 16;
+// Of a lane without an image: a number that no map reaches.
+constexpr int no_node = std::numeric_limits<int>::max();
 
 class Search {
  public:
@@ -82,7 +87,7 @@ class Search {
     for (std::uint64_t left = passing; left != 0; left &= left - 1) {
       const auto lane = static_cast<unsigned>(std::countr_zero(left));
       const std::size_t e = first + lane;
-      if (e >= entries.size() || entries[e].node >= nodes_) continue;
+      if (entries[e].node >= nodes_) continue;
       if (!known || !agreement_.judges(block, lane)) {
         promising_.push_back({entries[e]});
         continue;
@@ -154,50 +159,63 @@ class Search {
 }  // namespace
 
 PlaceIndex::PlaceIndex() = default;
-PlaceIndex::PlaceIndex(const PlaceIndex& other) = default;
+PlaceIndex::PlaceIndex(const PlaceIndex& other)
+    : first_(other.first_),
+      size_(other.size_),
+      grouping_(other.grouping_ ? std::make_unique<index::Grouping>(*other.grouping_) : nullptr),
+      blocks_(other.blocks_),
+      entries_(other.entries_),
+      unbounded_(other.unbounded_) {}
 PlaceIndex::PlaceIndex(PlaceIndex&& other) noexcept = default;
-PlaceIndex& PlaceIndex::operator=(const PlaceIndex& other) = default;
+PlaceIndex& PlaceIndex::operator=(const PlaceIndex& other) { return *this = PlaceIndex(other); }
 PlaceIndex& PlaceIndex::operator=(PlaceIndex&& other) noexcept = default;
 PlaceIndex::~PlaceIndex() = default;
 
 void PlaceIndex::add(const Entry& entry, const Signature& signature) {
-  if (entries_.empty()) {
+  if (size_ == 0) {
     first_ = {signature.width, signature.height, {}};
   } else {
     check_same_size(signature, first_);
   }
-  const std::size_t lane = entries_.size() % block_images;
-  if (lane == 0) blocks_.emplace_back();
-  if (index::can_be_bounded(signature)) {
-    blocks_.back().add(lane, signature);
-  } else {
-    unbounded_.push_back(entries_.size());
+  ++size_;
+  if (!index::can_be_bounded(signature)) {
+    unbounded_.push_back(entry);
+    return;
   }
-  entries_.push_back(entry);
+  if (!grouping_) grouping_ = std::make_unique<index::Grouping>();
+  const index::Grouping::Place place = grouping_->add(index::column_keys(signature));
+  if (place.block == blocks_.size()) {
+    blocks_.emplace_back();
+    entries_.resize(blocks_.size() * block_images, {no_node, 0});
+  }
+  blocks_[place.block].add(place.lane, signature);
+  entries_[place.block * block_images + place.lane] = entry;
 }
 
 Ranking PlaceIndex::find(const Signature& query, int nodes, int same_place_nodes, const MatchConfig& config,
                          const SignatureOf& signature_of) const {
   check_match_config(config);
-  if (!entries_.empty()) check_same_size(query, first_);
+  if (size_ > 0) check_same_size(query, first_);
   if (query.regions.empty()) return index::Leaders(same_place_nodes).ranking(nodes);
   if (!index::can_be_bounded(query)) {
     index::Leaders leaders(same_place_nodes);
-    for (const Entry& entry : entries_) {
-      if (entry.node >= nodes) continue;
-      leaders.add({entry.node, match(query, signature_of(entry), config).similarity});
+    for (const std::vector<Entry>* entries : {&entries_, &unbounded_}) {
+      for (const Entry& entry : *entries) {
+        if (entry.node >= nodes) continue;
+        leaders.add({entry.node, match(query, signature_of(entry), config).similarity});
+      }
     }
     return leaders.ranking(nodes);
   }
   Search search(query, nodes, same_place_nodes, config, signature_of);
-  for (const std::size_t e : unbounded_) search.compare(entries_[e]);
+  for (const Entry& entry : unbounded_) search.compare(entry);
   search.screen(entries_, blocks_);
   return search.ranking();
 }
 
 std::size_t PlaceIndex::memory() const {
   std::size_t bytes = entries_.capacity() * sizeof(Entry) + blocks_.capacity() * sizeof(index::Block) +
-                      unbounded_.capacity() * sizeof(std::size_t);
+                      unbounded_.capacity() * sizeof(Entry) + (grouping_ ? grouping_->memory() : 0);
   for (const index::Block& block : blocks_) bytes += block.memory();
   return bytes;
 }
