@@ -58,9 +58,10 @@ struct AgreementWork {
   using Row = std::array<std::int16_t, batch_images>;
   struct Slot {
     alignas(64) Row square, place, beyond;
+    Row squared, displacement;  // of the region looked at: no_distance where inadmissible
   };
   std::vector<Slot, CacheLineAllocator<Slot>> slots;
-  // A region of the query and its first alternative in each of the images.
+  // A region of the query and one of its alternatives in each of the images.
   struct Nearest {
     alignas(64) Row displacement;  // two signed bytes, columns and rows
     Row certain;                   // 1 or 0

@@ -28,9 +28,6 @@ namespace {
 
 using Numbers = hn::RebindToUnsigned<Pairs>;
 using NumberVector = hn::Vec<Numbers>;
-// Squared distance above, displacement below: the least is the nearest.
-using Keys = hn::RepartitionToWide<Numbers>;
-using KeyVector = hn::Vec<Keys>;
 
 HWY_INLINE PairVector load(const AgreementWork::Row& row, std::size_t lane) {
   return hn::LoadU(Pairs(), row.data() + lane);
@@ -76,38 +73,10 @@ HWY_INLINE void prepare_slots(const Batch& batch, const AgreementQuery& query, A
   }
 }
 
-// The least keys in order, one more than alternatives are kept.
-constexpr std::size_t keys_kept = alternatives_kept + 1;
-HWY_INLINE void insert(KeyVector key, KeyVector (&least)[keys_kept]) {
-  for (std::size_t i = 0; i + 1 < keys_kept; ++i) {
-    const KeyVector greater = hn::Max(least[i], key);
-    least[i] = hn::Min(least[i], key);
-    key = greater;
-  }
-  least[keys_kept - 1] = hn::Min(least[keys_kept - 1], key);
-}
-
-// Squared distances and displacements in the order of the images, from keys of interleaved vectors.
-alignas(16) constexpr std::uint8_t upper_halves[2][16] = {
-    {2, 3, 6, 7, 10, 11, 14, 15, 128, 128, 128, 128, 128, 128, 128, 128},
-    {128, 128, 128, 128, 128, 128, 128, 128, 2, 3, 6, 7, 10, 11, 14, 15}};
-alignas(16) constexpr std::uint8_t lower_halves[2][16] = {
-    {0, 1, 4, 5, 8, 9, 12, 13, 128, 128, 128, 128, 128, 128, 128, 128},
-    {128, 128, 128, 128, 128, 128, 128, 128, 0, 1, 4, 5, 8, 9, 12, 13}};
-HWY_INLINE NumberVector halves(KeyVector low, KeyVector high, const std::uint8_t (&which)[2][16]) {
-  const hn::Repartition<std::uint8_t, Keys> bytes;
-  const auto first = hn::TableLookupBytesOr0(hn::BitCast(bytes, low), hn::LoadDup128(bytes, which[0]));
-  const auto second = hn::TableLookupBytesOr0(hn::BitCast(bytes, high), hn::LoadDup128(bytes, which[1]));
-  return hn::BitCast(Numbers(), hn::Or(first, second));
-}
-
-struct Alternatives {
-  NumberVector squared[keys_kept];
-  NumberVector displacement[alternatives_kept];
-};
-
-HWY_INLINE Alternatives alternatives(const Batch& batch, const AgreementRegion& region,
-                                     const AgreementWork& work, std::size_t lane) {
+// The least of the squared distances of a region's admissible candidates. Those of all, and their
+// displacements, are kept in the slots.
+HWY_INLINE NumberVector squared_distances(const Batch& batch, const AgreementRegion& region, Slots slots,
+                                          AgreementWork& work, std::size_t lane) {
   const Pairs d;
   const hn::Repartition<std::int8_t, Pairs> bytes;
   const PairVector q0 = hn::Set(d, region.screen.pairs[0]);
@@ -117,30 +86,47 @@ HWY_INLINE Alternatives alternatives(const Batch& batch, const AgreementRegion& 
   const PairVector rest = hn::Set(d, region.screen.descriptor_rest);
   const auto place = hn::BitCast(bytes, hn::Set(d, region.place));
   const PairVector none = hn::Set(d, -1);  // no_distance
-  KeyVector low[keys_kept];
-  KeyVector high[keys_kept];
-  for (std::size_t i = 0; i < keys_kept; ++i) low[i] = high[i] = hn::Set(Keys(), ~0U);
-  const Slots slots =
-      slots_within_reach(batch.columns, batch.slots(), region.screen.first_column, region.screen.last_column);
+  NumberVector least = hn::Set(Numbers(), no_distance);
   for (std::size_t slot = slots.begin; slot < slots.end; ++slot) {
     const auto* rows = reinterpret_cast<const std::int16_t*>(batch.codes.data() + slot * Batch::slot_bytes);
     const auto product = [&](std::size_t i, PairVector q)
                              HWY_ATTR { return dot(q, hn::LoadU(d, rows + i * batch_images + lane)); };
-    const AgreementWork::Slot& prepared = work.slots[slot];
-    const PairVector distance =
-        hn::Sub(hn::Add(load(prepared.square, lane), rest),
-                hn::Add(hn::Add(product(0, q0), product(1, q1)), hn::Add(product(2, q2), product(3, q3))));
+    AgreementWork::Slot& candidate = work.slots[slot];
+    const PairVector products =
+        hn::Add(hn::Add(product(0, q0), product(1, q1)), hn::Add(product(2, q2), product(3, q3)));
+    const PairVector distance = hn::Sub(hn::Add(load(candidate.square, lane), rest), products);
     const PairVector displacement =
-        hn::BitCast(d, hn::SaturatedSub(hn::BitCast(bytes, load(prepared.place, lane)), place));
-    const auto admissible = hn::Lt(squared_length(displacement), load(prepared.beyond, lane));
+        hn::BitCast(d, hn::SaturatedSub(hn::BitCast(bytes, load(candidate.place, lane)), place));
+    const auto admissible = hn::Lt(squared_length(displacement), load(candidate.beyond, lane));
     const PairVector squared = hn::IfThenElse(admissible, distance, none);
-    insert(hn::BitCast(Keys(), hn::InterleaveLower(d, displacement, squared)), low);
-    insert(hn::BitCast(Keys(), hn::InterleaveUpper(d, displacement, squared)), high);
+    store(squared, candidate.squared, lane);
+    store(displacement, candidate.displacement, lane);
+    least = hn::Min(least, hn::BitCast(Numbers(), squared));
   }
+  return least;
+}
+
+// Candidates whose squared distances keep a limit: how many there are, and the displacements of some.
+struct Alternatives {
+  NumberVector count;
+  PairVector displacement[alternatives_kept];
+};
+
+HWY_INLINE Alternatives alternatives(NumberVector limit, Slots slots, const AgreementWork& work,
+                                     std::size_t lane) {
+  const Pairs d;
   Alternatives out;
-  for (std::size_t i = 0; i < keys_kept; ++i) out.squared[i] = halves(low[i], high[i], upper_halves);
-  for (std::size_t i = 0; i < alternatives_kept; ++i) {
-    out.displacement[i] = halves(low[i], high[i], lower_halves);
+  out.count = hn::Zero(Numbers());
+  for (PairVector& displacement : out.displacement) displacement = hn::Zero(d);
+  for (std::size_t slot = slots.begin; slot < slots.end; ++slot) {
+    const AgreementWork::Slot& candidate = work.slots[slot];
+    const auto within = at_most(load_numbers(candidate.squared, lane), limit);
+    const auto moves = hn::RebindMask(d, within);
+    for (std::size_t k = alternatives_kept - 1; k > 0; --k) {
+      out.displacement[k] = hn::IfThenElse(moves, out.displacement[k - 1], out.displacement[k]);
+    }
+    out.displacement[0] = hn::IfThenElse(moves, load(candidate.displacement, lane), out.displacement[0]);
+    out.count = hn::Sub(out.count, hn::VecFromMask(Numbers(), within));
   }
   return out;
 }
@@ -193,34 +179,40 @@ HWY_INLINE void find_nearest(const Batch& batch, const AgreementQuery& query, st
   const hn::Repartition<float, Pairs> df;
   const AgreementRegion& region = query.regions[i];
   AgreementWork::Nearest& nearest = work.nearest[i];
-  std::uint32_t possible[keys_kept] = {};
+  const Slots slots =
+      slots_within_reach(batch.columns, batch.slots(), region.screen.first_column, region.screen.last_column);
+  std::uint32_t more_than[alternatives_kept + 1] = {};  // alternatives: a bit for each image
   alignas(64) AgreementWork::Row displacements[alternatives_kept];
   for (std::size_t lane = 0; lane < batch_images; lane += hn::Lanes(d)) {
-    const Alternatives found = alternatives(batch, region, work, lane);
-    const NumberVector limit = converted(found.squared[0], most_distance, [&](auto squared) HWY_ATTR {
+    const NumberVector least = squared_distances(batch, region, slots, work, lane);
+    const NumberVector limit = converted(least, most_distance, [&](auto squared) HWY_ATTR {
       const auto above =
           hn::Add(hn::Sqrt(hn::Add(squared, hn::Set(df, room_above))), hn::Set(df, 2 * region.error));
       return hn::Mul(hn::Mul(above, above), hn::Set(df, rounding_room));
     });
-    const NumberVector cost = converted(found.squared[0], UINT16_MAX, [&](auto squared) HWY_ATTR {
+    const NumberVector cost = converted(least, UINT16_MAX, [&](auto squared) HWY_ATTR {
       const auto below = hn::Max(hn::Sub(hn::Sqrt(squared), hn::Set(df, region.error)), hn::Zero(df));
       return hn::Mul(below, hn::Set(df, query.cost_of_step));
     });
-    const NumberVector matched = hn::VecFromMask(d, hn::Ne(found.squared[0], hn::Set(d, no_distance)));
-    const NumberVector doubtful = hn::And(matched, hn::VecFromMask(d, at_most(found.squared[1], limit)));
+    const Alternatives found = alternatives(limit, slots, work, lane);
+    const auto more = [&](std::uint16_t count) HWY_ATTR {
+      return hn::Ne(hn::SaturatedSub(found.count, hn::Set(d, count)), hn::Zero(d));
+    };
+    const NumberVector matched = hn::VecFromMask(d, more(0));
+    const NumberVector doubtful = hn::VecFromMask(d, more(1));
     const NumberVector certain = hn::AndNot(doubtful, matched);
     store(found.displacement[0], nearest.displacement, lane);
     store(matched, nearest.matched, lane);
     store(hn::And(certain, hn::Set(d, 1)), nearest.certain, lane);
     store(hn::And(certain, cost), nearest.cost, lane);
     store(hn::And(doubtful, cost), nearest.doubtful_cost, lane);
-    for (std::size_t k = 1; k < keys_kept; ++k) {
-      possible[k] |= bits(hn::And(hn::MaskFromVec(matched), at_most(found.squared[k], limit)), lane);
+    for (std::size_t k = 1; k <= alternatives_kept; ++k) {
+      more_than[k] |= bits(more(static_cast<std::uint16_t>(k)), lane);
     }
     for (std::size_t k = 1; k < alternatives_kept; ++k) store(found.displacement[k], displacements[k], lane);
   }
-  for (std::size_t k = 1; k < alternatives_kept; ++k) extras.add(possible[k], displacements[k], work);
-  extras.too_many |= possible[alternatives_kept];
+  for (std::size_t k = 1; k < alternatives_kept; ++k) extras.add(more_than[k], displacements[k], work);
+  extras.too_many |= more_than[alternatives_kept];
 }
 
 // How many certain regions agree with a displacement, and the sum of their costs.
