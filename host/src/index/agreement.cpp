@@ -33,10 +33,10 @@ void Batch::add(const Block& block, std::size_t lane) {
   auto* to = reinterpret_cast<std::uint16_t*>(codes.data()) + images;
   for (std::size_t slot = 0; slot < count; ++slot) {
     for (std::size_t row = 0; row < code_rows; ++row) to[row * batch_images] = from[row * block_images];
-    columns.add(slot, static_cast<std::int8_t>(from[direction_rows * block_images]));  // the lower byte
     from += code_rows * block_images;
     to += code_rows * batch_images;
   }
+  columns.add(block.columns[lane / group_images]);
   counts[images++] = block.counts[lane];
 }
 

@@ -31,7 +31,7 @@ inline constexpr std::size_t batch_images = group_images;
 // The codes of up to 32 images of any blocks, as a block has them.
 struct Batch {
   AlignedVector<std::uint8_t> codes;
-  Columns columns;
+  Columns columns;  // those of the groups that the images are of
   std::array<std::int16_t, batch_images> counts{};
   std::size_t images = 0;
 

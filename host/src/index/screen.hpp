@@ -46,6 +46,12 @@ struct Columns {
     first[slot] = std::min(first[slot], column);
     last[slot] = std::max(last[slot], column);
   }
+  void add(const Columns& other) {
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+      first[slot] = std::min(first[slot], other.first[slot]);
+      last[slot] = std::max(last[slot], other.last[slot]);
+    }
+  }
 };
 
 // The codes of up to 64 images: for each slot (an image's regions in order of their column) five rows, one
