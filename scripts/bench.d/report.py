@@ -26,7 +26,8 @@ GROUPS = {
         "Screening",
         "What bounds a query: an image screened, on a map of 20 000 nodes whose runner-up is known. *Passing*: of 1000 images those "
         "that screening leaves to the second look. *With exact codes*: those that any bound without constraint 2 leaves; *by fours*: if "
-        "four consecutive images shared that bound. `estimate`: the third step, for one of those that pass both.",
+        "four consecutive images shared that bound. *Pairs*: of 1000 pairs of regions those looked at; *in order*: if images shared "
+        "blocks in the order in which they come. `estimate`: the third step, for one of those that pass both.",
     ),
     "insert": ("Insertion", "One more node in a map of so many."),
     "map": ("Map file", "Loading and saving a map of so many nodes."),
@@ -79,11 +80,18 @@ def table(entries, memory, peak):
 
 
 def screening_table(entries):
-    lines = ["| benchmark | time | passing | with exact codes | by fours |", "|---|---|---|---|---|"]
+    columns = {
+        "passing": "passing",
+        "with exact codes": "passing_exact",
+        "by fours": "fours_passing_exact",
+        "pairs": "pairs",
+        "in order": "pairs_in_order",
+    }
+    lines = ["| benchmark | time | " + " | ".join(columns) + " |", "|---" * (2 + len(columns)) + "|"]
     for entry in entries:
         if entry["name"].split("/")[0] not in ("screen", "estimate"):
             continue
-        counts = [f"{1000 * entry[key]:.3g}" if key in entry else "" for key in ("passing", "passing_exact", "fours_passing_exact")]
+        counts = [f"{1000 * entry[key]:.3g}" if key in entry else "" for key in columns.values()]
         lines.append(f"| `{entry['name']}` | {shown(seconds(entry))} | " + " | ".join(counts) + " |")
     return "\n".join(lines)
 

@@ -4,7 +4,8 @@
 // Counters: `passing`, the part of the images that screening leaves; `passing_exact`, what it would leave if
 // its codes were exact (constraint 1 and exact distances), and `fours_passing_exact`, what part of the groups
 // of four consecutive images a bound that they share would leave; `reaching`, those that truly reach the
-// runner-up.
+// runner-up; `pairs`, the part of all pairs of regions that are within reach by the columns of their slots,
+// and `pairs_in_order`, what it would be if images shared blocks in the order in which they come.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -14,6 +15,7 @@
 
 #include "bench.hpp"
 #include "index/estimate.hpp"
+#include "index/grouping.hpp"
 #include "index/screen.hpp"
 #include "resampled_images.hpp"
 #include "sailmap/place_index.hpp"
@@ -52,12 +54,47 @@ Images resampled_images() {
   return out;
 }
 
-std::vector<index::Block> blocks_of(const std::vector<Signature>& nodes) {
+std::vector<index::Block> blocks_in_order(const std::vector<Signature>& nodes) {
   std::vector<index::Block> blocks((nodes.size() + index::block_images - 1) / index::block_images);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     blocks[i / index::block_images].add(i % index::block_images, nodes[i]);
   }
   return blocks;
+}
+
+std::vector<index::Block> blocks_of(const std::vector<Signature>& nodes) {
+  index::Grouping grouping;
+  std::vector<index::Block> blocks;
+  for (const Signature& node : nodes) {
+    const index::Grouping::Place place = grouping.add(index::column_keys(node));
+    blocks.resize(grouping.blocks());
+    blocks[place.block].add(place.lane, node);
+  }
+  return blocks;
+}
+
+// The part of all pairs that are looked at, two regions of the query at a time.
+double pairs_within_reach(const std::vector<index::ScreenQuery>& screens,
+                          const std::vector<index::Block>& blocks) {
+  double within = 0;
+  double all = 0;
+  for (const index::ScreenQuery& screen : screens) {
+    for (const index::Block& block : blocks) {
+      for (std::size_t i = 0; i < screen.regions.size(); i += 2) {
+        const index::ScreenRegion& first = screen.regions[i];
+        const index::ScreenRegion& second = screen.regions[std::min(i + 1, screen.regions.size() - 1)];
+        const std::uint8_t begin = std::min(first.first_column, second.first_column);
+        const std::uint8_t end = std::max(first.last_column, second.last_column);
+        for (const index::Columns& columns : block.columns) {
+          for (std::size_t slot = 0; slot < block.slots(); ++slot) {
+            within += columns.last[slot] >= begin && columns.first[slot] <= end ? 1 : 0;
+            ++all;
+          }
+        }
+      }
+    }
+  }
+  return within / all;
 }
 
 double runner_up(const Signature& query, const std::vector<Signature>& nodes, const MatchConfig& config) {
@@ -108,8 +145,7 @@ Shares shares(const Images& images, const std::vector<index::Block>& blocks, con
     const Signature& query = images.queries[i];
     const double threshold = runner_up(query, images.nodes, config);
     screens.emplace_back(query, config).set_threshold(threshold);
-    for (const index::Block& block : blocks)
-      out.passing += std::popcount(screens.back().passing(block));
+    for (const index::Block& block : blocks) out.passing += std::popcount(screens.back().passing(block));
     for (const Signature& node : images.nodes) {
       out.passing_exact += exact_bound(query, node, config) >= threshold ? 1 : 0;
       out.reaching += match(query, node, config).similarity >= threshold ? 1 : 0;
@@ -136,6 +172,8 @@ void screen(benchmark::State& state, Images (*images_of)(), Method method) {
         screens[next / blocks.size() % screens.size()].passing(blocks[next % blocks.size()]));
     ++next;
   }
+  state.counters["pairs"] = pairs_within_reach(screens, blocks);
+  state.counters["pairs_in_order"] = pairs_within_reach(screens, blocks_in_order(images.nodes));
   state.counters["passing"] = found.passing;
   state.counters["passing_exact"] = found.passing_exact;
   state.counters["fours_passing_exact"] = found.fours_passing_exact;
