@@ -18,7 +18,11 @@ GROUPS = {
     "stage": ("Stages of `fixed`", "Each alone, on the output of the one before; `signature` is inhibition of return and the descriptors, from the maps."),
     "context": ("Method `context`", "Beyond the front end."),
     "match": ("Two images", "`match()` of two signatures of 20 regions."),
-    "query": ("Query with the index", "Best node and runner-up among so many nodes of 20 regions: the exact answer. The image is of no place in the map, on a simulated way: the hard case, because no similarity ends the search early."),
+    "query": (
+        "Query with the index",
+        "Best node and runner-up among so many nodes of 20 regions: the exact answer. The image is of no place in the map, on a simulated way: the hard case, because no similarity ends the search early. "
+        "Arithmetic is counted for all pairs of regions; what part of them is looked at is said below, at *Screening*.",
+    ),
     "query_loop": ("Query with the index, of a known place", "The image is of a place in the map, on the same way."),
     "query_resampled": ("Query with the index, real regions", "The hard case on a map resampled from the images of Gardens Point."),
     "query_exhaustive": ("Query by comparing with every node", "The same answer as `query`, in the same run."),
