@@ -1,8 +1,9 @@
 #include "layout_agreement.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 
 #include "sailmap/context.hpp"
 
@@ -27,55 +28,43 @@ Column all_rows() {
 
 Column both(const Column& a, const Column& b) { return {a[0] & b[0], a[1] & b[1]}; }
 
-// For each way to lay the candidate's rows against the query's: the query's words, and which bits are
-// compared.
-struct Shifted {
-  Layout layout;
-  Column mask{};
-  int rows = 0;
+// Each way to lay the candidate against the query: rows moved up or down, columns aside.
+struct Shift {
+  Column (*move)(const Column&);
+  int rows;  // compared
 };
-
-Shifted shifted(const Layout& query, Column (*move)(const Column&), int rows) {
-  Shifted out;
-  out.mask = both(move(all_rows()), all_rows());
-  out.rows = rows;
-  for (std::size_t x = 0; x < query.words.size(); ++x) {
-    out.layout.words[x] = both(move(query.words[x]), out.mask);
-  }
-  return out;
-}
+constexpr std::array<Shift, 3> row_shifts = {
+    {{[](const Column& c) { return c; }, Layout::rows}, {down, Layout::rows - 1}, {up, Layout::rows - 1}}};
+constexpr int reach = 4;  // columns to each side
+constexpr std::size_t shifts = row_shifts.size() * (2 * reach + 1);
+constexpr std::size_t layout_words = 2 * std::size_t{Layout::columns};
 
 }  // namespace
 
-struct LayoutQuery::Rows {
-  std::array<Shifted, 3> shifts;
-};
-
-LayoutQuery::LayoutQuery(const Layout& query)
-    : rows_(std::make_unique<Rows>(
-          Rows{{shifted(
-                    query, [](const Column& c) { return c; }, Layout::rows),
-                shifted(query, down, Layout::rows - 1), shifted(query, up, Layout::rows - 1)}})) {}
-
-LayoutQuery::~LayoutQuery() = default;
-
-SAILMAP_POPCOUNT_CLONES
-double LayoutQuery::agreement(const Layout& candidate) const {
-  double best = -1;
-  for (const Shifted& query : rows_->shifts) {
+LayoutQuery::LayoutQuery(const Layout& query) : shifted_(layout_words, shifts) {
+  for (const Shift& shift : row_shifts) {
+    const Column mask = both(shift.move(all_rows()), all_rows());
     for (int dx = -reach; dx <= reach; ++dx) {
-      const int first = std::max(0, -dx);
-      const int last = std::min(Layout::columns, Layout::columns - dx);
-      int differing = 0;
-      for (int x = first; x < last; ++x) {
-        const auto& a = query.layout.words[static_cast<std::size_t>(x)];
-        const auto& b = candidate.words[static_cast<std::size_t>(x + dx)];
-        differing +=
-            std::popcount(a[0] ^ (b[0] & query.mask[0])) + std::popcount(a[1] ^ (b[1] & query.mask[1]));
+      const std::size_t lane = compared_.size();
+      for (int x = std::max(0, -dx); x < std::min(Layout::columns, Layout::columns - dx); ++x) {
+        const Column moved = shift.move(query.words[static_cast<std::size_t>(x)]);
+        const auto word = 2 * static_cast<std::size_t>(x + dx);
+        shifted_.set(word, lane, moved[0], mask[0]);
+        shifted_.set(word + 1, lane, moved[1], mask[1]);
       }
-      const int compared = (last - first) * query.rows * row_bits;
-      best = std::max(best, 1 - 2.0 * differing / compared);
+      compared_.push_back((Layout::columns - std::abs(dx)) * shift.rows * row_bits);
     }
+  }
+}
+
+double LayoutQuery::agreement(const Layout& candidate) const {
+  static_assert(sizeof(candidate.words) == layout_words * sizeof(std::uint64_t));
+  static_assert(layout_words == 32);
+  std::array<std::uint64_t, shifts + BitRows::granule> differing;
+  differing_bits(candidate.words.front().data(), ~std::uint32_t{0}, shifted_, differing.data());
+  double best = -1;
+  for (std::size_t i = 0; i < shifts; ++i) {
+    best = std::max(best, 1 - 2.0 * static_cast<double>(static_cast<int>(differing[i])) / compared_[i]);
   }
   return best;
 }

@@ -1,28 +1,22 @@
 // One layout against many.
 #pragma once
 
-#include <memory>
+#include <vector>
 
-#include "popcount.hpp"
+#include "differing_bits.hpp"
 #include "sailmap/place_descriptor.hpp"
 
 namespace sailmap::context {
 
 class LayoutQuery {
  public:
-  static constexpr int reach = 4;  // columns to each side
   explicit LayoutQuery(const Layout& query);
-  ~LayoutQuery();
-  LayoutQuery(const LayoutQuery&) = delete;
-  LayoutQuery& operator=(const LayoutQuery&) = delete;
-  LayoutQuery(LayoutQuery&&) = delete;
-  LayoutQuery& operator=(LayoutQuery&&) = delete;
   // See sailmap::layout_agreement.
   [[nodiscard]] double agreement(const Layout& candidate) const;
 
  private:
-  struct Rows;
-  std::unique_ptr<Rows> rows_;
+  BitRows shifted_;            // a lane for each way to lay a candidate against the query
+  std::vector<int> compared_;  // bits, of each lane
 };
 
 }  // namespace sailmap::context

@@ -3,8 +3,9 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
-#include "popcount.hpp"
+#include "differing_bits.hpp"
 #include "sailmap/context.hpp"
 
 namespace sailmap {
@@ -44,34 +45,37 @@ struct Agreements {
   [[nodiscard]] float at(std::size_t i, std::size_t j) const { return values[i * candidates + j]; }
 };
 
-// Bits in which the maps that say something in both regions differ.
-inline int differing(const ContextRegion& a, const ContextRegion& b, unsigned common) {
-  int count = 0;
-  if (common == all_maps) {
-    for (std::size_t m = 0; m < feature_count; ++m) count += std::popcount(a.bits[m] ^ b.bits[m]);
-    return count;
+// How many maps say something. Nearly always all, and counting takes long without an instruction for it.
+int maps_in(unsigned varied) { return varied == all_maps ? int{feature_count} : std::popcount(varied); }
+
+// The candidate's regions side by side, with the maps that say something in them.
+context::BitRows side_by_side(const PlaceDescriptor& candidate) {
+  context::BitRows rows(feature_count, candidate.regions.size());
+  for (std::size_t j = 0; j < candidate.regions.size(); ++j) {
+    const ContextRegion& region = candidate.regions[j];
+    for (std::size_t m = 0; m < feature_count; ++m) {
+      rows.set(m, j, region.bits[m], ((region.varied >> m) & 1U) != 0 ? ~std::uint64_t{0} : 0);
+    }
   }
-  for (std::size_t m = 0; m < feature_count; ++m) {
-    if (((common >> m) & 1U) != 0) count += std::popcount(a.bits[m] ^ b.bits[m]);
-  }
-  return count;
+  return rows;
 }
 
-SAILMAP_POPCOUNT_CLONES
 void compare(const PlaceDescriptor& query, const PlaceDescriptor& candidate, const std::vector<Point>& from,
              const std::vector<Point>& to, std::vector<float>& values) {
+  const context::BitRows rows = side_by_side(candidate);
+  std::vector<std::uint64_t> differing(rows.lanes);
   std::size_t k = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const ContextRegion& a = query.regions[i];
-    const int maps_of_a = std::popcount(static_cast<unsigned>(a.varied));
+    const int maps_of_a = maps_in(a.varied);
+    context::differing_bits(a.bits.data(), a.varied & all_maps, rows, differing.data());
     for (std::size_t j = 0; j < to.size(); ++j, ++k) {
       if (squared(from[i], to[j]) > search_radius * search_radius) continue;
       const ContextRegion& b = candidate.regions[j];
-      const unsigned common = a.varied & b.varied;
-      const int maps_of_both = std::popcount(common);
+      const int maps_of_both = maps_in(a.varied & b.varied);
       if (maps_of_both == 0) continue;
-      const int agreeing = context_bits * maps_of_both - 2 * differing(a, b, common);
-      const int maps_of_b = std::popcount(static_cast<unsigned>(b.varied));
+      const int agreeing = context_bits * maps_of_both - 2 * static_cast<int>(differing[j]);
+      const int maps_of_b = maps_in(b.varied);
       // A map that says something in one region only counts against the match: the correlation of signs.
       const float scale = maps_of_a == maps_of_b ? static_cast<float>(maps_of_a)
                                                  : std::sqrt(static_cast<float>(maps_of_a * maps_of_b));
