@@ -178,7 +178,7 @@ std::uint64_t screen(const Block& block, const Block& next, const ScreenQuery& q
       const ScreenRegion& first = query.regions[i];
       const ScreenRegion& second = query.regions[std::min(i + 1, regions - 1)];
       const std::uint8_t* part_end = wanted + std::min<std::ptrdiff_t>(wanted_end - wanted, part);
-      for (; wanted < part_end; wanted += 64) __builtin_prefetch(wanted, 0, 2);
+      for (; wanted < part_end; wanted += 64) __builtin_prefetch(wanted, 0, 3);
       const Slots slots = slots_within_reach(block.columns[group], block.slots(),
                                              std::min(first.first_column, second.first_column),
                                              std::max(first.last_column, second.last_column));
