@@ -28,7 +28,8 @@ Column all_rows() {
 
 Column both(const Column& a, const Column& b) { return {a[0] & b[0], a[1] & b[1]}; }
 
-// Each way to lay the candidate against the query: rows moved up or down, columns aside.
+// How the query's rows are moved, and how many are compared then. Each of these with the columns moved aside
+// is a way to lay a candidate against the query.
 struct Shift {
   Column (*move)(const Column&);
   int rows;  // compared
@@ -64,7 +65,7 @@ double LayoutQuery::agreement(const Layout& candidate) const {
   differing_bits(candidate.words.front().data(), ~std::uint32_t{0}, shifted_, differing.data());
   double best = -1;
   for (std::size_t i = 0; i < shifts; ++i) {
-    best = std::max(best, 1 - 2.0 * static_cast<double>(static_cast<int>(differing[i])) / compared_[i]);
+    best = std::max(best, 1 - 2.0 * static_cast<int>(differing[i]) / compared_[i]);
   }
   return best;
 }

@@ -26,9 +26,7 @@ std::int16_t place_of(const RegionCode& code) {
 
 void Batch::add(const Block& block, std::size_t lane) {
   const auto count = static_cast<std::size_t>(block.counts[lane]);
-  if (count > slots()) {
-    codes.resize(count * slot_bytes);
-  }
+  if (count > slots()) codes.resize(count * slot_bytes);
   const auto* from = reinterpret_cast<const std::uint16_t*>(block.codes.data()) + lane;
   auto* to = reinterpret_cast<std::uint16_t*>(codes.data()) + images;
   for (std::size_t slot = 0; slot < count; ++slot) {

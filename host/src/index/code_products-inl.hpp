@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -82,12 +83,10 @@ HWY_INLINE Slots slots_within_reach(const Columns& columns, std::size_t slots, s
   std::uint32_t bits[2];
   std::memcpy(&bits[0], reached, sizeof(bits[0]));
   std::memcpy(&bits[1], not_beyond, sizeof(bits[1]));
-  const auto begin = std::min<std::size_t>(static_cast<std::size_t>(std::countr_zero(bits[0])), slots);
-  const std::size_t end =
-      slots > Columns::slots
-          ? slots
-          : std::min<std::size_t>(32 - static_cast<std::size_t>(std::countl_zero(bits[1])), slots);
-  return {begin, end};
+  static_assert(Columns::slots == 32);
+  const auto begin = static_cast<std::size_t>(std::countr_zero(bits[0]));
+  const auto end = Columns::slots - static_cast<std::size_t>(std::countl_zero(bits[1]));
+  return {std::min(begin, slots), slots > Columns::slots ? slots : std::min(end, slots)};
 }
 
 #endif  // HWY_SCALAR
