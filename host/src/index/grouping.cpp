@@ -1,6 +1,7 @@
 #include "grouping.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "screen.hpp"
 
@@ -22,17 +23,14 @@ std::vector<float> along(const std::vector<ColumnKeys>& images, std::size_t axis
 }  // namespace
 
 ColumnKeys column_keys(const Signature& signature) {
-  const std::vector<const Region*> regions = by_column(signature);
-  const std::size_t half = regions.size() / 2;
-  if (half == 0) return {};
-  float left = 0;
-  float right = 0;
-  for (std::size_t i = 0; i < half; ++i) {
-    left += regions[i]->x;
-    right += regions[regions.size() - 1 - i]->x;
-  }
-  const auto count = static_cast<float>(half);
-  return {(left + right) / (2 * count), (right - left) / count};
+  if (signature.regions.empty()) return {};
+  const auto count = static_cast<float>(signature.regions.size());
+  float sum = 0;
+  for (const Region& region : signature.regions) sum += region.x;
+  const float mean = sum / count;
+  float distances = 0;
+  for (const Region& region : signature.regions) distances += std::abs(region.x - mean);
+  return {mean, distances / count};
 }
 
 std::size_t Grouping::leaf_of(const ColumnKeys& keys) const {

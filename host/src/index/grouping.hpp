@@ -11,8 +11,7 @@
 
 namespace sailmap::index {
 
-// Where the regions of an image lie, across: their mean column, and how far the means of the right and of the
-// left half of them are apart, in pixels.
+// Where the regions of an image lie, across: their mean column, and their mean distance from it, in pixels.
 using ColumnKeys = std::array<float, 2>;
 ColumnKeys column_keys(const Signature& signature);
 

@@ -24,11 +24,10 @@ Signature image_with_columns(const std::vector<int>& columns) {
   return out;
 }
 
-TEST(ColumnKeys, AreMeanAndSpreadOfTheColumns) {
-  EXPECT_EQ(column_keys(image_with_columns({300, 100, 400, 200})), (ColumnKeys{250, 200}));
-  // The middle one of an odd number says nothing.
-  EXPECT_EQ(column_keys(image_with_columns({300, 100, 120})), (ColumnKeys{200, 200}));
-  EXPECT_EQ(column_keys(image_with_columns({300})), (ColumnKeys{0, 0}));
+TEST(ColumnKeys, AreMeanColumnAndMeanDistanceFromIt) {
+  EXPECT_EQ(column_keys(image_with_columns({300, 100, 400, 200})), (ColumnKeys{250, 100}));
+  EXPECT_EQ(column_keys(image_with_columns({300, 100, 200})), (ColumnKeys{200, 200.0F / 3}));
+  EXPECT_EQ(column_keys(image_with_columns({300})), (ColumnKeys{300, 0}));
   EXPECT_EQ(column_keys(image_with_columns({})), (ColumnKeys{0, 0}));
 }
 
