@@ -26,10 +26,10 @@ ColumnKeys column_keys(const Signature& signature) {
   if (signature.regions.empty()) return {};
   const auto count = static_cast<float>(signature.regions.size());
   float sum = 0;
-  for (const Region& region : signature.regions) sum += region.x;
+  for (const Region& region : signature.regions) sum += static_cast<float>(region.x);
   const float mean = sum / count;
   float distances = 0;
-  for (const Region& region : signature.regions) distances += std::abs(region.x - mean);
+  for (const Region& region : signature.regions) distances += std::abs(static_cast<float>(region.x) - mean);
   return {mean, distances / count};
 }
 
