@@ -251,6 +251,14 @@ OptionKeys add_map_options(CLI::App& command, MapConfig& config) {
       command.add_option("--sparse-threshold", config.sparse_threshold,
                          "Similarity above which an image joins the active node of a sparse map; default as "
                          "--threshold");
+  keys["/detection/ranked_nodes"] =
+      command
+          .add_option(
+              "--rank-up-to", config.detection.ranked_nodes,
+              "While the map has at most so many nodes, every image has a most similar one; of larger "
+              "maps paper and paper_weighted say only what closes a loop, which is quicker")
+          ->check(CLI::NonNegativeNumber.description(""))
+          ->capture_default_str();
   keys["/temporal"] =
       add_temporal_option(command, config.temporal)
           ->default_str(fmt::format("{} with the method context, else 0", default_temporal_images));

@@ -2,8 +2,9 @@
 // scan, insertion, one pair.
 //
 // `query/...` is the hard case, an image of no place in the map, on a simulated way; `query_loop/...` one of
-// a place in the map; `query_resampled/...` the hard case on a map resampled from real images. Counters:
-// bytes a node (index and signature), and the mean similarity of the best.
+// a place in the map; `query_resampled/...` the hard case on a map resampled from real images. `decision/...`
+// and so on are the same images, asked only for what can close a loop. Counters: bytes a node (index and
+// signature), and the mean similarity of the best.
 #include <benchmark/benchmark.h>
 
 #include <memory>
@@ -22,6 +23,10 @@ constexpr int same_place_nodes = 5;
 constexpr std::size_t query_count = 32;
 
 enum class Source { way, resampled };
+
+// What is asked: the most similar nodes, however little that is, or what can close a loop (`run` does so on
+// maps of more than DetectionConfig::ranked_nodes).
+enum class Asked { ranking, decision };
 
 // The first nodes are the same for every size. One source and one index are kept at a time: a million nodes
 // take more than a gigabyte.
@@ -99,18 +104,21 @@ void run_queries(benchmark::State& state, const std::vector<Signature>& queries,
   state.SetItemsProcessed(state.iterations());
 }
 
-void query(benchmark::State& state, Method method, Source source, bool loops) {
+void query(benchmark::State& state, Asked asked, Method method, Source source, bool loops) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const auto& nodes = Maps::instance().nodes(source, count);
   const PlaceIndex& index = Maps::instance().index(source, count);
   const MatchConfig config = config_of(method);
+  DetectionConfig detection;
+  detection.threshold = default_threshold(method);
+  const PlaceIndex::Question question = {static_cast<int>(count), same_place_nodes,
+                                         asked == Asked::decision ? least_that_matters(detection) : 0};
   // All queries equally often: their times differ.
   const std::vector<Signature> queries = Maps::instance().queries(source, count, loops);
   run_queries(state, queries, queries.size(), [&](const Signature& image) {
-    return index.find(image, static_cast<int>(count), same_place_nodes, config,
-                      [&nodes](const PlaceIndex::Entry& entry) -> const Signature& {
-                        return nodes[static_cast<std::size_t>(entry.node)];
-                      });
+    return index.find(image, question, config, [&nodes](const PlaceIndex::Entry& entry) -> const Signature& {
+      return nodes[static_cast<std::size_t>(entry.node)];
+    });
   });
   const double signatures = static_cast<double>(count) * (sizeof(Signature) + 20 * sizeof(Region));
   // What screening asks for at least and at most: each node's codes read once, each pair of regions compared
@@ -163,15 +171,19 @@ void register_query() {
     for (const int nodes : {1000, 10000, 100000, 1000000}) of->Arg(nodes);
     of->Unit(unit);
   };
+  const auto queries = [&](const std::string& kind, Method method, Source source, bool loops) {
+    for (const auto& [what, asked] : {std::pair("query", Asked::ranking), {"decision", Asked::decision}}) {
+      const std::string of = what + kind + "/" + std::string(sailmap::name(method));
+      sizes(benchmark::RegisterBenchmark(of.c_str(), [=, asked = asked](benchmark::State& state) {
+        query(state, asked, method, source, loops);
+      }));
+    }
+  };
   benchmark::RegisterBenchmark("match/pair", match_pair);
   for (const Method method : {Method::paper_weighted, Method::paper}) {
     const std::string name(sailmap::name(method));
-    sizes(benchmark::RegisterBenchmark(("query/" + name).c_str(), [method](benchmark::State& state) {
-      query(state, method, Source::way, false);
-    }));
-    sizes(benchmark::RegisterBenchmark(("query_loop/" + name).c_str(), [method](benchmark::State& state) {
-      query(state, method, Source::way, true);
-    }));
+    queries("", method, Source::way, false);
+    queries("_loop", method, Source::way, true);
     sizes(
         benchmark::RegisterBenchmark(("query_exhaustive/" + name).c_str(),
                                      [method](benchmark::State& state) { query_exhaustive(state, method); }));
@@ -179,9 +191,7 @@ void register_query() {
   sizes(benchmark::RegisterBenchmark("insert", insert), benchmark::kMicrosecond);
   if (!ResampledImages::available()) return;
   for (const Method method : {Method::paper_weighted, Method::paper}) {
-    const std::string name = "query_resampled/" + std::string(sailmap::name(method));
-    sizes(benchmark::RegisterBenchmark(
-        name.c_str(), [method](benchmark::State& state) { query(state, method, Source::resampled, false); }));
+    queries("_resampled", method, Source::resampled, false);
   }
 }
 

@@ -34,7 +34,14 @@ struct DetectionConfig {
   // 1: never (the paper).
   double ambiguity_ratio = 2;
   int same_place_nodes = 5;  // rivals within so many nodes of the best are the same place
+  // Among more nodes than these, the index of `paper` and `paper_weighted` searches for loop closures only,
+  // which is quicker: an image that closes none then has no best node, and no rival is named that could not
+  // have made a loop closure ambiguous.
+  int ranked_nodes = 10000;
 };
+
+// No verdict depends on how similar a node is, or which it is, below this.
+double least_that_matters(const DetectionConfig& config);
 
 struct Candidate {
   int node = -1;

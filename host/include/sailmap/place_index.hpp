@@ -32,6 +32,14 @@ class PlaceIndex {
   };
   using SignatureOf = std::function<const Signature&(const Entry&)>;
 
+  // What is asked for: see rank(), among nodes 0 .. `nodes` - 1 (all of which have entries). Nodes less
+  // similar than `at_least` count as none; the higher it is, the less has to be compared.
+  struct Question {
+    int nodes = 0;
+    int same_place_nodes = 0;
+    double at_least = 0;
+  };
+
   PlaceIndex();
   PlaceIndex(const PlaceIndex& other);
   PlaceIndex(PlaceIndex&& other) noexcept;
@@ -43,11 +51,10 @@ class PlaceIndex {
   // that of those before it; the index is then unchanged.
   void add(const Entry& entry, const Signature& signature);
 
-  // Best node and runner-up among nodes 0 .. `nodes` - 1 (all of which have entries), a node being as similar
-  // as the most similar of its entries. `signature_of` gives the signatures as they were added. Throws Error
-  // like match().
-  [[nodiscard]] Ranking find(const Signature& query, int nodes, int same_place_nodes,
-                             const MatchConfig& config, const SignatureOf& signature_of) const;
+  // Best node and runner-up, a node being as similar as the most similar of its entries. `signature_of` gives
+  // the signatures as they were added. Throws Error like match().
+  [[nodiscard]] Ranking find(const Signature& query, const Question& question, const MatchConfig& config,
+                             const SignatureOf& signature_of) const;
 
   [[nodiscard]] std::size_t size() const { return size_; }  // entries
   [[nodiscard]] std::size_t memory() const;                 // bytes, without the signatures

@@ -13,7 +13,10 @@ bool precedes(const Candidate& a, const Candidate& b) {
 
 }  // namespace
 
-Leaders::Leaders(int same_place_nodes) : same_place_nodes_(same_place_nodes) {}
+Leaders::Leaders(int same_place_nodes, double at_least)
+    : same_place_nodes_(same_place_nodes),
+      ranks_all_(!(at_least > 0)),
+      threshold_(ranks_all_ ? 0 : at_least) {}
 
 bool Leaders::apart(const Candidate& a, const Candidate& b) const {
   return std::abs(static_cast<long long>(a.node) - b.node) > 2 * std::max(0LL, same_place_nodes_);
@@ -46,11 +49,11 @@ int Leaders::first_of_another_place(int best, int nodes) const {
 Ranking Leaders::ranking(int nodes) const {
   Ranking out;
   if (nodes <= 0) return out;
-  out.best = {0, 0};
+  if (ranks_all_) out.best = {0, 0};
   for (const Candidate& candidate : found_) {
     if (precedes(candidate, out.best)) out.best = candidate;
   }
-  out.runner_up = {first_of_another_place(out.best.node, nodes), 0};
+  if (ranks_all_) out.runner_up = {first_of_another_place(out.best.node, nodes), 0};
   for (const Candidate& candidate : found_) {
     const long long away = std::abs(static_cast<long long>(candidate.node) - out.best.node);
     if (away > same_place_nodes_ && precedes(candidate, out.runner_up)) out.runner_up = candidate;

@@ -9,7 +9,8 @@ namespace sailmap::index {
 
 class Leaders {
  public:
-  explicit Leaders(int same_place_nodes);
+  // What is less similar than `at_least`, where that is above 0, counts as none.
+  Leaders(int same_place_nodes, double at_least);
 
   void add(Candidate candidate);
 
@@ -19,7 +20,7 @@ class Leaders {
   [[nodiscard]] double threshold() const { return threshold_; }
 
   // Once every node that reaches the threshold was added: the ranking among nodes 0 .. `nodes` - 1, those
-  // never added having similarity 0.
+  // never added having similarity 0 (and so being none, where that is less than was asked for).
   [[nodiscard]] Ranking ranking(int nodes) const;
 
  private:
@@ -27,10 +28,11 @@ class Leaders {
   [[nodiscard]] int first_of_another_place(int best, int nodes) const;
 
   long long same_place_nodes_;
+  bool ranks_all_;
   std::vector<Candidate> found_;  // similarity above 0
   Candidate first_;               // the most similar so far
   Candidate second_;              // the most similar apart from it; node -1 when unknown
-  double threshold_ = 0;
+  double threshold_;
 };
 
 }  // namespace sailmap::index

@@ -27,13 +27,13 @@ constexpr int no_node = std::numeric_limits<int>::max();
 
 class Search {
  public:
-  Search(const Signature& query, int nodes, int same_place_nodes, const MatchConfig& config,
+  Search(const Signature& query, const PlaceIndex::Question& question, const MatchConfig& config,
          const PlaceIndex::SignatureOf& signature_of)
       : query_(query),
-        nodes_(nodes),
+        nodes_(question.nodes),
         config_(config),
         signature_of_(signature_of),
-        leaders_(same_place_nodes),
+        leaders_(question.same_place_nodes, question.at_least),
         screen_(query, config),
         agreement_(query, config),
         estimate_(query, config) {}
@@ -192,22 +192,22 @@ void PlaceIndex::add(const Entry& entry, const Signature& signature) {
   entries_[place.block * block_images + place.lane] = entry;
 }
 
-Ranking PlaceIndex::find(const Signature& query, int nodes, int same_place_nodes, const MatchConfig& config,
+Ranking PlaceIndex::find(const Signature& query, const Question& question, const MatchConfig& config,
                          const SignatureOf& signature_of) const {
   check_match_config(config);
   if (size_ > 0) check_same_size(query, first_);
-  if (query.regions.empty()) return index::Leaders(same_place_nodes).ranking(nodes);
+  index::Leaders leaders(question.same_place_nodes, question.at_least);
+  if (query.regions.empty()) return leaders.ranking(question.nodes);
   if (!index::can_be_bounded(query)) {
-    index::Leaders leaders(same_place_nodes);
     for (const std::vector<Entry>* entries : {&entries_, &unbounded_}) {
       for (const Entry& entry : *entries) {
-        if (entry.node >= nodes) continue;
+        if (entry.node >= question.nodes) continue;
         leaders.add({entry.node, match(query, signature_of(entry), config).similarity});
       }
     }
-    return leaders.ranking(nodes);
+    return leaders.ranking(question.nodes);
   }
-  Search search(query, nodes, same_place_nodes, config, signature_of);
+  Search search(query, question, config, signature_of);
   for (const Entry& entry : unbounded_) search.compare(entry);
   search.screen(entries_, blocks_);
   return search.ranking();

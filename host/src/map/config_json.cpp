@@ -72,7 +72,8 @@ ordered_json to_json(const MapConfig& config) {
            {{"threshold", d.threshold},
             {"min_matches", d.min_matches},
             {"ambiguity_ratio", d.ambiguity_ratio},
-            {"same_place_nodes", d.same_place_nodes}}},
+            {"same_place_nodes", d.same_place_nodes},
+            {"ranked_nodes", d.ranked_nodes}}},
           {"exclude_recent", config.exclude_recent},
           {"loop_edges", config.loop_edges},
           {"sparse", config.sparse},
@@ -104,6 +105,8 @@ MapConfig map_config_from_json(const ordered_json& json) {
   config.detection.min_matches = whole_number(d.at("min_matches"));
   d.at("ambiguity_ratio").get_to(config.detection.ambiguity_ratio);
   config.detection.same_place_nodes = whole_number(d.at("same_place_nodes"));
+  // Not in maps that ranked all nodes whatever their number; no verdict depends on it.
+  if (d.contains("ranked_nodes")) config.detection.ranked_nodes = whole_number(d.at("ranked_nodes"));
   config.exclude_recent = whole_number(json.at("exclude_recent"));
   json.at("loop_edges").get_to(config.loop_edges);
   json.at("sparse").get_to(config.sparse);

@@ -1,6 +1,7 @@
 // Spec section 11: the verdict on one image.
 #include "sailmap/detection.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -52,6 +53,10 @@ double default_threshold(Method method) {
       return 0.2;
   }
   throw Error("unknown method number " + std::to_string(static_cast<int>(method)));
+}
+
+double least_that_matters(const DetectionConfig& config) {
+  return std::min(1.0, config.ambiguity_ratio) * config.threshold;
 }
 
 Ranking rank(const std::vector<Candidate>& candidates, int same_place_nodes) {

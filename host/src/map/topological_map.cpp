@@ -95,6 +95,8 @@ Detection TopologicalMap::detect(const Signature& signature, int nodes) {
     detection.reason = Reason::no_regions;
   } else if (nodes == 0 && !nodes_.empty()) {
     detection.reason = Reason::excluded;
+  } else if (nodes > 0 && detection.best.node < 0) {  // see DetectionConfig::ranked_nodes
+    detection.reason = Reason::below_threshold;
   }
   return detection;
 }
@@ -161,7 +163,9 @@ Ranking TopologicalMap::compare(const Signature& signature, int nodes) {
     return rank(filtered(score_all(signature, nodes), filter_), config_.detection.same_place_nodes);
   }
   if (nodes == 0) return {};
-  return index_.find(signature, nodes, config_.detection.same_place_nodes, config_.match,
+  const DetectionConfig& detection = config_.detection;
+  const double at_least = nodes > detection.ranked_nodes ? least_that_matters(detection) : 0;
+  return index_.find(signature, {nodes, detection.same_place_nodes, at_least}, config_.match,
                      [this](const PlaceIndex::Entry& entry) -> const Signature& {
                        const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
                        return node.views[static_cast<std::size_t>(entry.view)].signature;

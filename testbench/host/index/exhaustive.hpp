@@ -21,18 +21,19 @@ inline double similarity(const Signature& query, const Views& node, const MatchC
 }
 
 inline Ranking exhaustive(const Signature& query, const std::vector<Views>& nodes, int admissible,
-                          int same_place_nodes, const MatchConfig& config) {
+                          int same_place_nodes, const MatchConfig& config, double at_least = 0) {
   std::vector<Candidate> candidates;
   for (int node = 0; node < admissible; ++node) {
-    candidates.push_back({node, similarity(query, nodes[static_cast<std::size_t>(node)], config)});
+    const double value = similarity(query, nodes[static_cast<std::size_t>(node)], config);
+    if (value >= at_least) candidates.push_back({node, value});
   }
   return rank(candidates, same_place_nodes);
 }
 
 inline Ranking indexed(const PlaceIndex& index, const Signature& query, const std::vector<Views>& nodes,
-                       int admissible, int same_place_nodes, const MatchConfig& config) {
+                       int admissible, int same_place_nodes, const MatchConfig& config, double at_least = 0) {
   return index.find(
-      query, admissible, same_place_nodes, config,
+      query, {admissible, same_place_nodes, at_least}, config,
       [&nodes](const PlaceIndex::Entry& entry) -> const Signature& {
         return nodes[static_cast<std::size_t>(entry.node)][static_cast<std::size_t>(entry.view)];
       });

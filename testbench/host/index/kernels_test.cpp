@@ -300,12 +300,15 @@ TEST(Leaders, TheThresholdIsNeverAboveTheRunnerUp) {
     for (int node = 0; node < nodes; ++node) {
       candidates.push_back({node, static_cast<double>(std::uniform_int_distribution<int>(0, 9)(random))});
     }
-    const Ranking expected = rank(candidates, same_place);
-    Leaders leaders(same_place);
+    const double at_least = std::uniform_int_distribution<int>(0, 10)(random);
+    std::vector<Candidate> counting = candidates;
+    std::erase_if(counting, [&](const Candidate& c) { return c.similarity < at_least; });
+    const Ranking expected = rank(counting, same_place);
+    Leaders leaders(same_place, at_least);
     std::shuffle(candidates.begin(), candidates.end(), random);
     for (const Candidate& candidate : candidates) {
       leaders.add(candidate);
-      ASSERT_LE(leaders.threshold(), expected.runner_up.similarity);
+      ASSERT_LE(leaders.threshold(), std::max(at_least, expected.runner_up.similarity));
     }
     ASSERT_EQ(leaders.ranking(nodes), expected);
   }

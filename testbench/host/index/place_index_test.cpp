@@ -64,8 +64,9 @@ TEST(PlaceIndex, SaysWhatTheExhaustiveScanSaysOnRandomMaps) {
       const int same_place = random.same_place_nodes();
       const int nodes = static_cast<int>(map.nodes.size());
       const int admissible = random.chance(0.5) ? nodes : 1 + random.below(nodes);
-      expect_same(indexed(index, query, map.nodes, admissible, same_place, config),
-                  exhaustive(query, map.nodes, admissible, same_place, config));
+      const double at_least = random.at_least();
+      expect_same(indexed(index, query, map.nodes, admissible, same_place, config, at_least),
+                  exhaustive(query, map.nodes, admissible, same_place, config, at_least));
     }
     if (HasFailure()) return;
   }
@@ -89,6 +90,10 @@ TEST(PlaceIndex, SaysWhatTheExhaustiveScanSaysOnALongWay) {
       EXPECT_NEAR(expected.best.node, 250 * i, 5);  // or the case is not what it is meant to be
     }
     expect_same(indexed(index, query, nodes, 3000, 5, config), expected);
+    for (const double at_least : {expected.runner_up.similarity, expected.best.similarity, 1e3}) {
+      expect_same(indexed(index, query, nodes, 3000, 5, config, at_least),
+                  exhaustive(query, nodes, 3000, 5, config, at_least));
+    }
   }
 }
 
@@ -111,6 +116,19 @@ TEST(PlaceIndex, WhereNothingMatchesTheFirstNodesRank) {
   EXPECT_EQ(indexed(index, testing::signature({}), nodes, 100, 5, {}), expected);
   EXPECT_EQ(indexed(index, left, nodes, 4, 5, {}), (Ranking{{0, 0}, {-1, 0}}));
   EXPECT_EQ(indexed(index, left, nodes, 0, 5, {}), Ranking{});
+}
+
+TEST(PlaceIndex, WhatIsLessSimilarThanAskedForCountsAsNone) {
+  std::vector<Views> nodes;
+  for (int i = 0; i < 150; ++i) nodes.push_back({testing::image_of_place(i)});
+  const PlaceIndex index = index_of(nodes);
+  const Signature query = testing::image_of_place(42);
+  const Ranking all = indexed(index, query, nodes, 150, 0, {});
+  ASSERT_GE(all.runner_up.node, 0);
+  EXPECT_EQ(indexed(index, query, nodes, 150, 0, {}, all.runner_up.similarity), all);
+  EXPECT_EQ(indexed(index, query, nodes, 150, 0, {}, 1e6), (Ranking{{42, 1e6}, {}}));
+  EXPECT_EQ(indexed(index, query, nodes, 150, 0, {}, 1.1e6), Ranking{});
+  EXPECT_EQ(indexed(index, testing::signature({}), nodes, 150, 0, {}, 1e-9), Ranking{});
 }
 
 TEST(PlaceIndex, NodesBeyondTheAdmissibleAreNotFound) {

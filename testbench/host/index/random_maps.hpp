@@ -61,6 +61,9 @@ class RandomMaps {
     return out;
   }
 
+  double at_least() {
+    return pick({0.0, 0.0, 0.5, 2.0, 5.0, 20.0, 1e6, std::numeric_limits<double>::infinity()});
+  }
   int same_place_nodes() { return pick({5, 5, 0, 1, 30, -1, 100000}); }
   int below(int end) { return std::uniform_int_distribution<int>(0, end - 1)(random_); }
   bool chance(double part) { return std::bernoulli_distribution(part)(random_); }

@@ -35,9 +35,14 @@ struct SlowMap {
            images - first_images[static_cast<std::size_t>(admissible)] > config.exclude_recent) {
       ++admissible;
     }
-    const Ranking ranking =
-        testing::exhaustive(image, nodes, admissible, config.detection.same_place_nodes, config.match);
-    const bool loop = ranking.best.similarity > config.detection.threshold;
+    const double at_least =
+        admissible > config.detection.ranked_nodes ? least_that_matters(config.detection) : 0;
+    const Ranking ranking = testing::exhaustive(image, nodes, admissible, config.detection.same_place_nodes,
+                                                config.match, at_least);
+    const bool rivalled =
+        ranking.runner_up.node >= 0 &&
+        ranking.runner_up.similarity >= config.detection.ambiguity_ratio * ranking.best.similarity;
+    const bool loop = ranking.best.similarity > config.detection.threshold && !rivalled;
     if (loop) {
       if (ranking.best.node != active) connect(active, ranking.best.node, EdgeKind::loop);
       active = ranking.best.node;
@@ -89,14 +94,52 @@ void compare_maps(const std::vector<Signature>& images, const MapConfig& config)
   }
 }
 
-TEST(IndexedMap, GrowsAsOneThatComparesAll) {
+// There and back.
+std::vector<Signature> there_and_back(std::size_t length) {
   testing::SimulatedWay way(17);
   std::vector<Signature> images;
-  for (int i = 0; i < 250; ++i) images.push_back(way.next());
-  for (std::size_t i = 250; i > 0; i -= 2) images.push_back(way.revisited(images[i - 1]));
+  while (images.size() < length) images.push_back(way.next());
+  for (std::size_t i = length; i > 1; i -= 2) images.push_back(way.revisited(images[i - 1]));
+  return images;
+}
+
+TEST(IndexedMap, GrowsAsOneThatComparesAll) {
+  const std::vector<Signature> images = there_and_back(250);
   for (const bool sparse : {false, true}) {
     for (const Method method : {Method::paper, Method::paper_weighted}) {
       compare_maps(images, config_of(method, sparse));
+    }
+  }
+}
+
+TEST(IndexedMap, SearchedForLoopsOnlyIsTheSameMap) {
+  const std::vector<Signature> images = there_and_back(250);
+  for (const Method method : {Method::paper, Method::paper_weighted}) {
+    for (const double ratio : {2.0, 0.8}) {
+      MapConfig config = config_of(method, false);
+      config.detection.ambiguity_ratio = ratio;
+      config.detection.threshold = method == Method::paper ? 10 : 3;
+      TopologicalMap all(config);
+      config.detection.ranked_nodes = 60;
+      compare_maps(images, config);
+      TopologicalMap loops_only(config);
+      int without_best = 0;
+      for (std::size_t i = 0; i < images.size(); ++i) {
+        const Update& expected = all.add("image", images[i]);
+        const Update& update = loops_only.add("image", images[i]);
+        ASSERT_EQ(update.detection.reason, expected.detection.reason) << i;
+        ASSERT_EQ(update.node, expected.node) << i;
+        if (update.detection.best.node < 0 && i > 0) {
+          ++without_best;
+          EXPECT_TRUE(i <= 10 || i > 60) << i;
+        } else {
+          EXPECT_EQ(update.detection.best, expected.detection.best) << i;
+          EXPECT_EQ(update.detection.matches.size(), expected.detection.matches.size()) << i;
+        }
+      }
+      EXPECT_EQ(loops_only.edges(), all.edges());
+      EXPECT_GT(loops_only.loops(), 20);
+      EXPECT_GT(without_best, 100);
     }
   }
 }

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
+
 #include "sailmap/error.hpp"
 
 namespace sailmap {
@@ -44,6 +46,33 @@ TEST(Detection, TooFewMatchedRegions) {
   DetectionConfig config;
   config.min_matches = 4;
   EXPECT_EQ(decide({{0, 30}}, config, three_matches).reason, Reason::too_few_regions);
+}
+
+TEST(Detection, NoVerdictDependsOnWhatDoesNotMatter) {
+  std::mt19937 random(5);
+  const auto below = [&](int end) { return std::uniform_int_distribution<int>(0, end - 1)(random); };
+  int accepted = 0;
+  int ambiguous = 0;
+  for (int run = 0; run < 2000; ++run) {
+    DetectionConfig config;
+    config.same_place_nodes = below(4);
+    config.min_matches = 3 + below(2);
+    config.ambiguity_ratio = 0.1 * (1 + below(14));
+    std::vector<Candidate> candidates;
+    for (int node = 0; node < 20; ++node) candidates.push_back({node, 1.0 * below(28)});
+    const Detection all = decide(candidates, config, three_matches);
+    std::erase_if(candidates, [&](const Candidate& c) { return c.similarity < least_that_matters(config); });
+    const Detection some = decide(candidates, config, three_matches);
+    // Without candidates `decide` cannot know that there were nodes.
+    EXPECT_EQ(candidates.empty() ? Reason::below_threshold : some.reason, all.reason);
+    if (all.reason != Reason::below_threshold) {
+      EXPECT_EQ(some.best, all.best);
+    }
+    accepted += all.accepted() ? 1 : 0;
+    ambiguous += all.reason == Reason::ambiguous ? 1 : 0;
+  }
+  EXPECT_GT(accepted, 100);
+  EXPECT_GT(ambiguous, 100);
 }
 
 TEST(Detection, NothingToCompareWith) {

@@ -1,5 +1,6 @@
 """sailmap run, sailmap map and sailmap simulate, as a user runs them."""
 
+import csv
 import json
 import signal
 import sqlite3
@@ -32,6 +33,19 @@ class Run(ProgramCase):
         self.assertEqual([e["event"] for e in events], ["loop_closure"] * 6 + ["summary"])
         self.assertEqual([e["best"]["node"] for e in events[:6]], list(range(6)))
         self.assertEqual((events[-1]["nodes"], events[-1]["loops"]), (6, 6))
+
+    def test_above_the_limit_only_loops_are_named(self):
+        self.write_sequence(LAPS)
+        for limit in (0, 3, 100):
+            self.run_program("run", "images", "--map", f"{limit}.map", "--exclude-recent", "1", "--rank-up-to", str(limit))
+            rows = list(csv.DictReader(self.run_program("map", "export", f"{limit}.map", "--format", "csv").splitlines()))
+            self.assertEqual([row["reason"] for row in rows[:3]], ["no_nodes", "excluded", "below_threshold"])
+            self.assertEqual([row["best_node"] for row in rows[6:]], list("012345"))
+            # Image i is compared with i - 1 nodes.
+            named = [row["best_node"] != "" for row in rows[2:6]]
+            self.assertEqual(named, [i - 1 <= limit for i in range(2, 6)])
+            self.assertEqual({row["reason"] for row in rows[2:6]}, {"below_threshold"})
+        self.assertIn("-", self.run_program("loops", "0.map", "--reason", "below_threshold"))
 
     def test_a_folder_in_natural_order(self):
         self.write_sequence(range(12))
