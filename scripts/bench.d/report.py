@@ -25,6 +25,12 @@ GROUPS = {
     ),
     "query_loop": ("Query with the index, of a known place", "The image is of a place in the map, on the same way."),
     "query_resampled": ("Query with the index, real regions", "The hard case on a map resampled from the images of Gardens Point."),
+    "decision": (
+        "What closes a loop",
+        "The same images and maps, asked only for what is above the threshold, as `run` does beyond 10 000 nodes (`--rank-up-to`). First the image of no place in the map.",
+    ),
+    "decision_loop": ("What closes a loop, of a known place", "As `query_loop`."),
+    "decision_resampled": ("What closes a loop, real regions", "As `query_resampled`."),
     "query_exhaustive": ("Query by comparing with every node", "The same answer as `query`, in the same run."),
     "screen": (
         "Screening",
@@ -122,14 +128,18 @@ def query_points(entries, prefix):
 
 
 def plot(entries, path):
-    """Query time over map size, with and without the index. False when there is nothing to draw."""
-    series = [("with the index", query_points(entries, "query")), ("every node compared", query_points(entries, "query_exhaustive"))]
+    """Query time over map size: every node compared, and with the index. False when there is nothing to draw."""
+    series = [
+        ("every node compared", query_points(entries, "query_exhaustive")),
+        ("most similar, with the index", query_points(entries, "query")),
+        ("what closes a loop, with the index", query_points(entries, "decision")),
+    ]
     if any(len(points) < 2 for _, points in series):
         return False
     data = "".join(
-        "$%s << EOD\n%s\nEOD\n" % ("ab"[i], "\n".join(f"{n} {1e3 * t}" for n, t in points)) for i, (_, points) in enumerate(series)
+        "$%s << EOD\n%s\nEOD\n" % ("abc"[i], "\n".join(f"{n} {1e3 * t}" for n, t in points)) for i, (_, points) in enumerate(series)
     )
-    curves = ", ".join(f"${'ab'[i]} with linespoints linewidth 2 pointtype 7 title '{name}'" for i, (name, _) in enumerate(series))
+    curves = ", ".join(f"${'abc'[i]} with linespoints linewidth 2 pointtype 7 title '{name}'" for i, (name, _) in enumerate(series))
     script = (
         f"set terminal svg size 720,420 background 'white'\nset output '{path}'\nset logscale xy\nset grid\nset key left top\n"
         f"set xlabel 'nodes of the map'\nset ylabel 'ms a query, one core'\n{data}plot {curves}\n"
