@@ -12,9 +12,11 @@ RECOGNITION = ROOT / "docs/recognition.md"
 IMAGES = ROOT / "docs/images"
 
 
+PROGRAM = pathlib.Path(os.environ.get("SAILMAP_PROGRAM", ROOT / "build/host/app/sailmap"))
+
+
 def sailmap(*arguments):
-    program = ROOT / "build/host/app/sailmap"
-    subprocess.run([program, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([PROGRAM, *map(str, arguments)], check=True, stdout=subprocess.DEVNULL)
 
 
 def machine():
