@@ -13,8 +13,9 @@ namespace sailmap {
 class RouteModel {
  public:
   // `images`: how long what was learned lasts (about twice as many for steps, five times for breaks); above
-  // 0.
-  explicit RouteModel(int images);
+  // 0. `first_breaks`: part of the images at which a path is thought to break off, until some ten images
+  // showed how it is; 0 .. 1.
+  explicit RouteModel(int images, double first_breaks = 0.3);
 
   // What is known of an image.
   struct Estimate {
@@ -56,6 +57,7 @@ class RouteModel {
   void judge_order(double expected);
   [[nodiscard]] double attested(const Forecast& ahead, std::span<const float> likelihoods) const;
 
+  double first_breaks_;
   double keep_steps_, keep_breaks_, change_of_order_;
   // Posterior of the last image: paths in either direction, and those that begin there.
   std::vector<float> forward_, backward_, fresh_;

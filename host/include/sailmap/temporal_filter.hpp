@@ -10,6 +10,7 @@
 #include "sailmap/route_model.hpp"
 #include "sailmap/score_evidence.hpp"
 #include "sailmap/similarity.hpp"
+#include "sailmap/steady_route.hpp"
 
 namespace sailmap {
 
@@ -45,6 +46,7 @@ class TemporalFilter {
   struct Support {
     std::vector<float> factors;  // of the odds that stand out
     std::vector<float> missed;   // odds to be added, where the route led to what the image alone did not show
+    bool led = false;            // that images err along the route is known: it may overrule them
   };
 
   [[nodiscard]] bool repeats(std::span<const float> scores) const;
@@ -53,6 +55,7 @@ class TemporalFilter {
   TemporalConfig config_;
   ScoreEvidence evidence_;
   RouteModel route_;
+  SteadyRoute steady_;
   std::vector<float> last_scores_;
   Support last_support_;
 };

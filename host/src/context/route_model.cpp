@@ -12,9 +12,8 @@ namespace {
 constexpr std::array<double, 7> usual_steps = {0.15, 0.33, 0.2, 0.12, 0.08, 0.07, 0.05};
 constexpr double worth_of_usual_steps = 6;
 
-// A path is thought to break off at every third image, until some ten images showed how it is.
-constexpr double cautious_breaks = 0.3;
-constexpr double worth_of_caution = 10;
+// What a path is thought to break off at first is worth as much as ten images of learning.
+constexpr double worth_of_first_breaks = 10;
 constexpr double fewest_breaks = 0.02, most_breaks = 0.98;
 // The same for what must not be done where paths break: hardly ever, until the first break is seen.
 constexpr double rare_breaks = 0.03;
@@ -58,8 +57,9 @@ std::vector<float> with_neighbours(const std::vector<float>& values) {
 
 }  // namespace
 
-RouteModel::RouteModel(int images)
-    : keep_steps_(1 - 1 / (2.0 * images)),
+RouteModel::RouteModel(int images, double first_breaks)
+    : first_breaks_(first_breaks),
+      keep_steps_(1 - 1 / (2.0 * images)),
       keep_breaks_(1 - 1 / (5.0 * images)),
       change_of_order_(1 / (5.0 * images)),
       order_(usual_order) {}
@@ -77,7 +77,7 @@ double RouteModel::observed_breaks() const {
 }
 
 double RouteModel::break_rate() const {
-  const double rate = (breaks_ + worth_of_caution * cautious_breaks) / (counted_ + worth_of_caution);
+  const double rate = (breaks_ + worth_of_first_breaks * first_breaks_) / (counted_ + worth_of_first_breaks);
   return std::clamp(rate, fewest_breaks, most_breaks);
 }
 

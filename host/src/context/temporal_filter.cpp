@@ -33,6 +33,9 @@ constexpr float least_followed = 0.2F;
 constexpr float sure_odds = 1, clearly = 1.2F;
 // Nor can a route lead to a place that the image all but excludes, being so much less likely than its best.
 constexpr float excluding = 1000;
+// But where images are known to err along the route, believed this much, what one of them excludes says
+// little.
+constexpr double enough_belief = 0.5;
 
 TemporalConfig checked(const TemporalConfig& config) {
   if (config.images < 0 || config.images > 1000) {
@@ -49,12 +52,12 @@ TemporalConfig checked(const TemporalConfig& config) {
 float best_odds(const ScoreEvidence::Row& row) { return *std::max_element(row.odds.begin(), row.odds.end()); }
 
 // Puts places behind the one that the image shows best: where it is sure, what it shows less, and else what
-// it all but excludes.
-void keep_choice(const ScoreEvidence::Row& row, double telling_odds, std::vector<float>& scores) {
+// it all but excludes, unless images are `led`.
+void keep_choice(const ScoreEvidence::Row& row, double telling_odds, bool led, std::vector<float>& scores) {
   const auto best =
       static_cast<std::size_t>(std::max_element(row.odds.begin(), row.odds.end()) - row.odds.begin());
   const float odds = row.odds[best];
-  if (odds <= 0) return;
+  if (odds <= 0 || (led && odds < sure_odds)) return;
   const float margin = odds < sure_odds ? excluding : (odds < telling_odds ? clearly : 1);
   const float behind = std::nextafter(scores[best], std::numeric_limits<float>::lowest());
   for (std::size_t c = 0; c < scores.size(); ++c) {
@@ -87,7 +90,10 @@ bool same(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b));
 }  // namespace
 
 TemporalFilter::TemporalFilter(const TemporalConfig& config)
-    : config_(checked(config)), evidence_(config.scale), route_(std::max(1, config.images)) {}
+    : config_(checked(config)),
+      evidence_(config.scale),
+      route_(std::max(1, config.images)),
+      steady_(std::max(1, config.images)) {}
 
 // A camera that stands still, or images that were doubled, bring nothing new.
 bool TemporalFilter::repeats(std::span<const float> scores) const {
@@ -101,8 +107,10 @@ TemporalFilter::Support TemporalFilter::support(const ScoreEvidence::Row& row) {
   const double breaks = route_.observed_breaks();
   const float best = best_odds(row);
   const double shown = std::min(best, 1.0F);
-  RouteModel::Estimate estimate = route_.advance(evidence_.likelihoods(row), row.count, shown * shown);
-  Support out{std::move(estimate.prior), std::move(estimate.followed)};
+  const std::vector<float> likelihoods = evidence_.likelihoods(row);
+  RouteModel::Estimate estimate = route_.advance(likelihoods, row.count, shown * shown);
+  const std::vector<float> steady = steady_.advance(row, likelihoods, shown * shown, estimate.expected);
+  Support out{std::move(estimate.prior), std::move(estimate.followed), steady_.belief() >= enough_belief};
   // A path that may have left the map says less of where it is in it.
   const double still_on = estimate.on_map * estimate.on_map;
   const auto power = static_cast<float>(config_.power * trust * still_on);
@@ -115,7 +123,7 @@ TemporalFilter::Support TemporalFilter::support(const ScoreEvidence::Row& row) {
   const auto believed = static_cast<float>(odds_of_missed * trust * unbroken * held * leading);
   for (std::size_t c = 0; c < row.odds.size(); ++c) {
     out.factors[c] = row.standing[c] > 0 ? std::max(least_factor, std::pow(out.factors[c], power)) : 1.0F;
-    out.missed[c] = believed * odds_of_following(out.missed[c]);
+    out.missed[c] = std::max(believed * odds_of_following(out.missed[c]), steady[c]);
   }
   if (best >= config_.telling_odds) {
     share_with_neighbours(row.standing, out.factors);
@@ -129,6 +137,7 @@ std::vector<float> TemporalFilter::apply(std::span<const float> scores) {
   const ScoreEvidence::Row row = evidence_.read(scores);
   if (row.count == 0) {
     route_.lose();
+    steady_.lose();
     last_scores_.clear();
     return out;
   }
@@ -141,7 +150,7 @@ std::vector<float> TemporalFilter::apply(std::span<const float> scores) {
     // What does not change keeps its full precision.
     if (!std::isnan(out[c]) && change != 0) out[c] = evidence_.score(row.odds[c] + change);
   }
-  keep_choice(row, config_.telling_odds, out);
+  keep_choice(row, config_.telling_odds, last_support_.led, out);
   return out;
 }
 
