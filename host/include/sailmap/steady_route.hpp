@@ -1,5 +1,6 @@
-// What a route says where single images say little, as by day of a night, or in winter of a summer: the route
-// of a camera that hardly ever leaves it, followed through images that show nothing or a wrong place.
+// What a route says where single images say little, as when a night is compared with a day, or winter with
+// summer: the route of a camera that hardly ever leaves it, followed through images that show nothing or a
+// wrong place.
 #pragma once
 
 #include <span>
