@@ -20,19 +20,18 @@ GROUPS = {
     "match": ("Two images", "`match()` of two signatures of 20 regions."),
     "query": (
         "Query with the index",
-        "What `run` asks of a map of so many nodes of 20 regions, with the exact answer: up to 10 000 nodes (`--rank-up-to`) the best node and "
-        "the runner-up, however little similar, beyond that only what is above the threshold and so can close a loop. The image is of no place in "
-        "the map, on a simulated way. Arithmetic is counted for all pairs of regions; what part of them is looked at is said below, at *Screening*.",
+        "Best node and runner-up among so many nodes of 20 regions: the exact answer. The image is of no place in the map, on a simulated way: the hard case, because no similarity ends the search early. "
+        "Arithmetic is counted for all pairs of regions; what part of them is looked at is said below, at *Screening*.",
     ),
     "query_loop": ("Query with the index, of a known place", "The image is of a place in the map, on the same way."),
-    "query_resampled": ("Query with the index, real regions", "On a map resampled from the images of Gardens Point."),
-    "ranking": (
-        "Ranking with the index",
-        "The same images and maps, asked for best node and runner-up whatever the number of nodes: the hard case, because no similarity ends the search early.",
+    "query_resampled": ("Query with the index, real regions", "The hard case on a map resampled from the images of Gardens Point."),
+    "as_run": (
+        "What run asks",
+        "The same images and maps, asked what `run` asks by default: the same up to 10 000 nodes (`--rank-up-to`), beyond that only what is above the threshold and so can close a loop.",
     ),
-    "ranking_loop": ("Ranking with the index, of a known place", "As `query_loop`."),
-    "ranking_resampled": ("Ranking with the index, real regions", "As `query_resampled`."),
-    "query_exhaustive": ("Query by comparing with every node", "The same answer as `ranking`, in the same run."),
+    "as_run_loop": ("What run asks, of a known place", "As `query_loop`."),
+    "as_run_resampled": ("What run asks, real regions", "As `query_resampled`."),
+    "query_exhaustive": ("Query by comparing with every node", "The same answer as `query`, in the same run."),
     "screen": (
         "Screening",
         "What bounds a query: an image screened, on a map of 20 000 nodes whose runner-up is known. *Passing*: of 1000 images those "
@@ -132,8 +131,8 @@ def plot(entries, path):
     """Query time over map size: every node compared, and with the index. False when there is nothing to draw."""
     series = [
         ("every node compared", query_points(entries, "query_exhaustive")),
-        ("most similar, with the index", query_points(entries, "ranking")),
-        ("what run asks, with the index", query_points(entries, "query")),
+        ("most similar, with the index", query_points(entries, "query")),
+        ("what run asks, with the index", query_points(entries, "as_run")),
     ]
     if any(len(points) < 2 for _, points in series):
         return False

@@ -23,7 +23,7 @@ std::string_view name(Reason reason);
 Reason reason_from_name(std::string_view name);  // throws Error
 
 // The threshold that fits a method's scale: the paper's 20 for `paper`; for `paper_weighted`, whose
-// similarities are smaller, one measured on real sequences (docs/decisions.md); for `context` 0.3,
+// similarities are smaller, one measured on real sequences (docs/decisions.md); for `context` 0.2,
 // where it was right in at least 95 of 100 cases (docs/recognition.md).
 double default_threshold(Method method);
 
