@@ -1,11 +1,13 @@
 #include "layout_agreement.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 
 #include "sailmap/context.hpp"
+#include "varied_maps.hpp"
 
 namespace sailmap {
 namespace context {
@@ -18,15 +20,29 @@ constexpr int row_bits = static_cast<int>(feature_count);
 Column down(const Column& c) { return {c[0] << row_bits, (c[1] << row_bits) | (c[0] >> (64 - row_bits))}; }
 Column up(const Column& c) { return {(c[0] >> row_bits) | (c[1] << (64 - row_bits)), c[1] >> row_bits}; }
 
-Column all_rows() {
+Column both(const Column& a, const Column& b) { return {a[0] & b[0], a[1] & b[1]}; }
+Column either(const Column& a, const Column& b) { return {a[0] | b[0], a[1] | b[1]}; }
+
+// The bits of these maps, in all rows.
+Column bits_of(unsigned maps) {
   Column out{};
-  for (int bit = 0; bit < Layout::rows * row_bits; ++bit) {
-    out[static_cast<std::size_t>(bit) / 64] |= std::uint64_t{1} << (bit % 64);
+  for (int row = 0; row < Layout::rows; ++row) out = either(down(out), {maps, 0});
+  return out;
+}
+
+// The maps that have a bit set: those that are not the same throughout.
+unsigned varied_maps(const Layout& layout) {
+  Column any{};
+  for (const Column& column : layout.words) any = either(any, column);
+  unsigned out = 0;
+  for (int row = 0; row < Layout::rows; ++row) {
+    out |= static_cast<unsigned>(any[0]) & all_maps;
+    any = up(any);
   }
   return out;
 }
 
-Column both(const Column& a, const Column& b) { return {a[0] & b[0], a[1] & b[1]}; }
+int count(const Column& bits) { return std::popcount(bits[0]) + std::popcount(bits[1]); }
 
 // How the query's rows are moved, and how many are compared then. Each of these with the columns moved aside
 // is a way to lay a candidate against the query.
@@ -42,9 +58,10 @@ constexpr std::size_t layout_words = 2 * std::size_t{Layout::columns};
 
 }  // namespace
 
-LayoutQuery::LayoutQuery(const Layout& query) : shifted_(layout_words, shifts) {
+LayoutQuery::LayoutQuery(const Layout& query)
+    : varied_(varied_maps(query)), shifted_(layout_words, shifts), set_(shifts) {
   for (const Shift& shift : row_shifts) {
-    const Column mask = both(shift.move(all_rows()), all_rows());
+    const Column mask = both(shift.move(bits_of(varied_)), bits_of(varied_));
     for (int dx = -reach; dx <= reach; ++dx) {
       const std::size_t lane = compared_.size();
       for (int x = std::max(0, -dx); x < std::min(Layout::columns, Layout::columns - dx); ++x) {
@@ -52,8 +69,11 @@ LayoutQuery::LayoutQuery(const Layout& query) : shifted_(layout_words, shifts) {
         const auto word = 2 * static_cast<std::size_t>(x + dx);
         shifted_.set(word, lane, moved[0], mask[0]);
         shifted_.set(word + 1, lane, moved[1], mask[1]);
+        for (std::size_t map = 0; map < feature_count; ++map) {
+          set_[lane][map] += count(both(moved, bits_of(1U << map)));
+        }
       }
-      compared_.push_back((Layout::columns - std::abs(dx)) * shift.rows * row_bits);
+      compared_.push_back((Layout::columns - std::abs(dx)) * shift.rows);
     }
   }
 }
@@ -61,13 +81,22 @@ LayoutQuery::LayoutQuery(const Layout& query) : shifted_(layout_words, shifts) {
 double LayoutQuery::agreement(const Layout& candidate) const {
   static_assert(sizeof(candidate.words) == layout_words * sizeof(std::uint64_t));
   static_assert(layout_words == 32);
+  const unsigned varied = varied_maps(candidate);
+  const unsigned both = varied & varied_;
+  if (both == 0) return 0;
   std::array<std::uint64_t, shifts + BitRows::granule> differing;
   differing_bits(candidate.words.front().data(), ~std::uint32_t{0}, shifted_, differing.data());
+  const unsigned query_alone = varied_ & ~varied;  // differs by what the query has set, but says nothing
+  const int maps = maps_in(both);
   double best = -1;
   for (std::size_t i = 0; i < shifts; ++i) {
-    best = std::max(best, 1 - 2.0 * static_cast<int>(differing[i]) / compared_[i]);
+    int different = static_cast<int>(differing[i]);
+    for (unsigned left = query_alone; left != 0; left &= left - 1) {
+      different -= set_[i][static_cast<std::size_t>(std::countr_zero(left))];
+    }
+    best = std::max(best, 1 - 2.0 * different / (compared_[i] * maps));
   }
-  return best;
+  return best * maps / mean_of_maps(maps_in(varied_), maps_in(varied));
 }
 
 }  // namespace context

@@ -1,6 +1,7 @@
 // One layout against many.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "differing_bits.hpp"
@@ -15,8 +16,10 @@ class LayoutQuery {
   [[nodiscard]] double agreement(const Layout& candidate) const;
 
  private:
+  unsigned varied_;            // a bit for each map that says something in the query
   BitRows shifted_;            // a lane for each way to lay a candidate against the query
-  std::vector<int> compared_;  // bits, of each lane
+  std::vector<int> compared_;  // cells, of each lane
+  std::vector<std::array<int, feature_count>> set_;  // bits of the query's maps among these
 };
 
 }  // namespace sailmap::context

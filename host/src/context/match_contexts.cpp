@@ -1,12 +1,12 @@
 // Which regions of two images have the same surroundings.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 #include "differing_bits.hpp"
 #include "sailmap/context.hpp"
+#include "varied_maps.hpp"
 
 namespace sailmap {
 namespace {
@@ -18,7 +18,6 @@ constexpr float search_radius = 0.6F;
 constexpr float displacement_tolerance = 0.15F;
 // Contexts of other places agree by chance up to about here.
 constexpr float chance_agreement = 0.13F;
-constexpr unsigned all_maps = (1U << feature_count) - 1;
 constexpr int context_bits = ContextRegion::side * ContextRegion::side;
 
 struct Point {
@@ -45,9 +44,6 @@ struct Agreements {
   [[nodiscard]] float at(std::size_t i, std::size_t j) const { return values[i * candidates + j]; }
 };
 
-// How many maps say something. Nearly always all, and counting takes long without an instruction for it.
-int maps_in(unsigned varied) { return varied == all_maps ? int{feature_count} : std::popcount(varied); }
-
 // The candidate's regions side by side, with the maps that say something in them.
 context::BitRows side_by_side(const PlaceDescriptor& candidate) {
   context::BitRows rows(feature_count, candidate.regions.size());
@@ -67,19 +63,16 @@ void compare(const PlaceDescriptor& query, const PlaceDescriptor& candidate, con
   std::size_t k = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const ContextRegion& a = query.regions[i];
-    const int maps_of_a = maps_in(a.varied);
-    context::differing_bits(a.bits.data(), a.varied & all_maps, rows, differing.data());
+    const int maps_of_a = context::maps_in(a.varied);
+    context::differing_bits(a.bits.data(), a.varied & context::all_maps, rows, differing.data());
     for (std::size_t j = 0; j < to.size(); ++j, ++k) {
       if (squared(from[i], to[j]) > search_radius * search_radius) continue;
       const ContextRegion& b = candidate.regions[j];
-      const int maps_of_both = maps_in(a.varied & b.varied);
+      const int maps_of_both = context::maps_in(a.varied & b.varied);
       if (maps_of_both == 0) continue;
       const int agreeing = context_bits * maps_of_both - 2 * static_cast<int>(differing[j]);
-      const int maps_of_b = maps_in(b.varied);
-      // A map that says something in one region only counts against the match: the correlation of signs.
-      const float scale = maps_of_a == maps_of_b ? static_cast<float>(maps_of_a)
-                                                 : std::sqrt(static_cast<float>(maps_of_a * maps_of_b));
-      values[k] = static_cast<float>(agreeing) / (context_bits * scale);
+      const int maps_of_b = context::maps_in(b.varied);
+      values[k] = static_cast<float>(agreeing) / (context_bits * context::mean_of_maps(maps_of_a, maps_of_b));
     }
   }
 }

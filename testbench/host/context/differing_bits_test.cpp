@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -57,9 +60,30 @@ bool cell(const Layout& layout, int x, int y, int map) {
           1U) != 0;
 }
 
+bool says_something(const Layout& layout, int map) {
+  for (int x = 0; x < Layout::columns; ++x) {
+    for (int y = 0; y < Layout::rows; ++y) {
+      if (cell(layout, x, y, map)) return true;
+    }
+  }
+  return false;
+}
+
 // From the definition: the most, over shifts by up to four columns and a row, of the part of the cells on
-// both layouts that are the same, less the part of those that are not.
+// both layouts that are the same, less the part of those that are not. Maps without a bit are not compared,
+// and count against it where only one layout has them.
 double agreement_by_cells(const Layout& query, const Layout& candidate) {
+  std::vector<int> maps;
+  int of_query = 0;
+  int of_candidate = 0;
+  for (int map = 0; map < 10; ++map) {
+    const bool in_query = says_something(query, map);
+    const bool in_candidate = says_something(candidate, map);
+    of_query += in_query ? 1 : 0;
+    of_candidate += in_candidate ? 1 : 0;
+    if (in_query && in_candidate) maps.push_back(map);
+  }
+  if (maps.empty()) return 0;
   double best = -1;
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -4; dx <= 4; ++dx) {
@@ -68,7 +92,7 @@ double agreement_by_cells(const Layout& query, const Layout& candidate) {
       for (int x = 0; x < Layout::columns; ++x) {
         for (int y = 0; y < Layout::rows; ++y) {
           if (x + dx < 0 || x + dx >= Layout::columns || y + dy < 0 || y + dy >= Layout::rows) continue;
-          for (int map = 0; map < 10; ++map) {
+          for (const int map : maps) {
             ++compared;
             differing += cell(query, x, y, map) != cell(candidate, x + dx, y + dy, map) ? 1 : 0;
           }
@@ -77,7 +101,16 @@ double agreement_by_cells(const Layout& query, const Layout& candidate) {
       best = std::max(best, 1 - 2.0 * differing / compared);
     }
   }
-  return best;
+  return best * static_cast<double>(maps.size()) / std::sqrt(of_query * of_candidate);
+}
+
+void clear(Layout& layout, int map) {
+  for (int y = 0; y < Layout::rows; ++y) {
+    const int bit = 10 * y + map;
+    for (auto& column : layout.words) {
+      column[static_cast<std::size_t>(bit / 64)] &= ~(std::uint64_t{1} << (bit % 64));
+    }
+  }
 }
 
 TEST(LayoutAgreement, IsThatOfTheCells) {
@@ -92,6 +125,39 @@ TEST(LayoutAgreement, IsThatOfTheCells) {
       ASSERT_EQ(layout_agreement(query, candidate), agreement_by_cells(query, candidate));
     }
   });
+}
+
+TEST(LayoutAgreement, LeavesOutMapsThatSayNothing) {
+  for_each_target([] {
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 100; ++i) {
+      Layout query = random_layout(random);
+      Layout candidate = random_layout(random);
+      for (int map = 0; map < 10; ++map) {
+        if (random() % 4 == 0) clear(query, map);
+        if (random() % 4 == 0) clear(candidate, map);
+      }
+      ASSERT_NEAR(layout_agreement(query, candidate), agreement_by_cells(query, candidate), 1e-6);
+    }
+    const Layout flat;
+    EXPECT_EQ(layout_agreement(flat, random_layout(random)), 0);
+    EXPECT_EQ(layout_agreement(random_layout(random), flat), 0);
+    EXPECT_EQ(layout_agreement(flat, flat), 0);
+  });
+}
+
+// The colours that an image has lost make no other place of it, nor any place more like it.
+TEST(LayoutAgreement, OfAGreyImageIsThatOfItsOtherMaps) {
+  std::mt19937_64 random(4);
+  const Layout coloured = random_layout(random);
+  const Layout other = random_layout(random);
+  Layout grey = coloured;
+  for (int map = 2; map < 6; ++map) clear(grey, map);
+  Layout other_grey = other;
+  for (int map = 2; map < 6; ++map) clear(other_grey, map);
+  EXPECT_EQ(layout_agreement(grey, grey), 1);
+  EXPECT_NEAR(layout_agreement(grey, coloured), std::sqrt(0.6), 1e-6);
+  EXPECT_NEAR(layout_agreement(grey, other), layout_agreement(grey, other_grey) * std::sqrt(0.6), 1e-6);
 }
 
 }  // namespace
