@@ -96,7 +96,7 @@ double LayoutQuery::agreement(const Layout& candidate) const {
     }
     best = std::max(best, 1 - 2.0 * different / (compared_[i] * maps));
   }
-  return best * maps / mean_of_maps(maps_in(varied_), maps_in(varied));
+  return best * (maps / static_cast<double>(mean_of_maps(maps_in(varied_), maps_in(varied))));
 }
 
 }  // namespace context

@@ -1,4 +1,5 @@
-// Maps that are the same throughout, as the colours of grey images, say nothing: only the others are compared.
+// Maps that are the same throughout, as the colours of grey images, say nothing: only the others are
+// compared.
 #pragma once
 
 #include <bit>
