@@ -12,8 +12,8 @@
 namespace sailmap {
 
 // The image as 16 x 12 cells: one bit a cell and map, set where the map is above its mean in the 5 x 5 cells
-// around. A column is two words: bit 10 * row + map of the 128, so that a shift by a row is a shift by ten
-// bits.
+// around; a map that is the same throughout has none. A column is two words: bit 10 * row + map of the 128,
+// so that a shift by a row is a shift by ten bits.
 struct Layout {
   static constexpr int columns = 16;
   static constexpr int rows = 12;

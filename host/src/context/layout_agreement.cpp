@@ -60,6 +60,8 @@ constexpr std::size_t layout_words = 2 * std::size_t{Layout::columns};
 
 LayoutQuery::LayoutQuery(const Layout& query)
     : varied_(varied_maps(query)), shifted_(layout_words, shifts), set_(shifts) {
+  std::array<Column, feature_count> bits_of_map{};
+  for (std::size_t map = 0; map < feature_count; ++map) bits_of_map[map] = bits_of(1U << map);
   for (const Shift& shift : row_shifts) {
     const Column mask = both(shift.move(bits_of(varied_)), bits_of(varied_));
     for (int dx = -reach; dx <= reach; ++dx) {
@@ -70,7 +72,7 @@ LayoutQuery::LayoutQuery(const Layout& query)
         shifted_.set(word, lane, moved[0], mask[0]);
         shifted_.set(word + 1, lane, moved[1], mask[1]);
         for (std::size_t map = 0; map < feature_count; ++map) {
-          set_[lane][map] += count(both(moved, bits_of(1U << map)));
+          set_[lane][map] += count(both(moved, bits_of_map[map]));
         }
       }
       compared_.push_back((Layout::columns - std::abs(dx)) * shift.rows);
