@@ -12,8 +12,8 @@
 namespace sailmap {
 
 // Agreement of two layouts under the best shift of up to 4 columns and 1 row: -1 .. 1; 1 for the same image.
-// Only maps that have a bit in both are compared; one that has in either alone counts against it. 0 without
-// any.
+// Only maps that have a bit in both are compared; one that has in either alone counts against it, but for the
+// colours where one image is grey. 0 without any map to compare.
 double layout_agreement(const Layout& query, const Layout& candidate);
 
 // Regions matched, of one displacement, and how alike their contexts are: `similarity` is 0 where nothing

@@ -30,18 +30,6 @@ Column bits_of(unsigned maps) {
   return out;
 }
 
-// The maps that have a bit set: those that are not the same throughout.
-unsigned varied_maps(const Layout& layout) {
-  Column any{};
-  for (const Column& column : layout.words) any = either(any, column);
-  unsigned out = 0;
-  for (int row = 0; row < Layout::rows; ++row) {
-    out |= static_cast<unsigned>(any[0]) & all_maps;
-    any = up(any);
-  }
-  return out;
-}
-
 int count(const Column& bits) { return std::popcount(bits[0]) + std::popcount(bits[1]); }
 
 // How the query's rows are moved, and how many are compared then. Each of these with the columns moved aside
@@ -98,7 +86,9 @@ double LayoutQuery::agreement(const Layout& candidate) const {
     }
     best = std::max(best, 1 - 2.0 * different / (compared_[i] * maps));
   }
-  return best * (maps / static_cast<double>(mean_of_maps(maps_in(varied_), maps_in(varied))));
+  const unsigned comparable = comparable_maps(varied_, varied);
+  const float mean = mean_of_maps(maps_in(varied_ & comparable), maps_in(varied & comparable));
+  return best * (maps / static_cast<double>(mean));
 }
 
 }  // namespace context

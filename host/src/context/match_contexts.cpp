@@ -60,18 +60,21 @@ void compare(const PlaceDescriptor& query, const PlaceDescriptor& candidate, con
              const std::vector<Point>& to, std::vector<float>& values) {
   const context::BitRows rows = side_by_side(candidate);
   std::vector<std::uint64_t> differing(rows.lanes);
+  const unsigned comparable =
+      context::comparable_maps(context::varied_maps(query.layout), context::varied_maps(candidate.layout));
   std::size_t k = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     const ContextRegion& a = query.regions[i];
-    const int maps_of_a = context::maps_in(a.varied);
-    context::differing_bits(a.bits.data(), a.varied & context::all_maps, rows, differing.data());
+    const unsigned maps = a.varied & comparable;
+    const int maps_of_a = context::maps_in(maps);
+    context::differing_bits(a.bits.data(), maps, rows, differing.data());
     for (std::size_t j = 0; j < to.size(); ++j, ++k) {
       if (squared(from[i], to[j]) > search_radius * search_radius) continue;
       const ContextRegion& b = candidate.regions[j];
-      const int maps_of_both = context::maps_in(a.varied & b.varied);
+      const int maps_of_both = context::maps_in(maps & b.varied);
       if (maps_of_both == 0) continue;
       const int agreeing = context_bits * maps_of_both - 2 * static_cast<int>(differing[j]);
-      const int maps_of_b = context::maps_in(b.varied);
+      const int maps_of_b = context::maps_in(b.varied & comparable);
       values[k] = static_cast<float>(agreeing) / (context_bits * context::mean_of_maps(maps_of_a, maps_of_b));
     }
   }

@@ -103,6 +103,20 @@ TEST(Context, GreyImagesAreRecognisedAmongGreyOnes) {
   expect_recognised(scene_maps(3, 5, 0, 2), 3, candidates);
 }
 
+// The same regions, since the saliency is left as it was.
+TEST(Context, ColoursThatAGreyImageLacksDoNotCountAgainstIt) {
+  const PlaceDescriptor coloured = describe_place(scene_maps(3));
+  Maps maps = scene_maps(3);
+  for (std::size_t i = 2; i < 6; ++i) maps.features[i].samples = Plane<double>(160, 120, 0.0);
+  const PlaceDescriptor grey = describe_place(maps);
+  EXPECT_NEAR(match_contexts(grey, coloured).similarity, 1, 1e-5);
+  EXPECT_NEAR(match_contexts(coloured, grey).similarity, 1, 1e-5);
+  // Other maps do count.
+  maps = scene_maps(3);
+  for (std::size_t i = 0; i < 2; ++i) maps.features[i].samples = Plane<double>(160, 120, 0.0);
+  EXPECT_LT(match_contexts(describe_place(maps), coloured).similarity, 0.9);
+}
+
 TEST(Context, FlatImagesScoreZero) {
   auto candidates = many_places();
   const PlaceDescriptor flat;
