@@ -1,6 +1,5 @@
 #include "varied_maps.hpp"
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -40,8 +39,5 @@ unsigned comparable_maps(unsigned varied, unsigned varied_of_other) {
   const bool grey = (varied & colours) == 0 || (varied_of_other & colours) == 0;
   return grey ? all_maps & ~colours : all_maps;
 }
-
-// Nearly always all, and counting takes long without an instruction for it.
-int maps_in(unsigned maps) { return maps == all_maps ? int{feature_count} : std::popcount(maps); }
 
 }  // namespace sailmap::context
